@@ -277,6 +277,7 @@ class Canon:
         position from LinuxCNC's preview, which does not know all of it."""
         if index == 0 and self.recording:
             self.tell(self.at)
+            self._take_table(self._this())
             self._change_number(self._this())
         return self.rows[index] if index < len(self.rows) else NO_TOOL
 
@@ -286,6 +287,20 @@ class Canon:
         if row[0] != self.rows[0][0]:
             self.line = this.sequence_number
             self._load(row, self.where(this))
+
+    def _take_table(self, this):
+        """G10 L1, L10 and L11 change the table of the interpreter, which asks for it anew now."""
+        for index in range(1, len(self.rows)):
+            told = this.tool_table[index]
+            o, t = told.offset, told.offset.tran
+            row = (told.toolno, t.x, t.y, t.z, o.a, o.b, o.c, o.u, o.v, o.w, told.diameter,
+                   told.frontangle, told.backangle, told.orientation)
+            if row != self.rows[index]:
+                self.out(f"note {self.where(this)} G10 changed tool {told.toolno}: the offset is "
+                         f"followed, the diameter of the table stays")
+                if self.rows[0][0] == row[0]:
+                    self.rows[0] = row
+                self.rows[index] = row
 
     def _load(self, row, where):
         self.rows[0] = row
@@ -334,9 +349,13 @@ class Canon:
         """A code that the configuration remaps calls a subroutine."""
         self.remaps[level - 1] = line
 
-    def synchronize(self):
-        """M66: the program waits for the machine and takes its position."""
+    def synchronize(self, line, words):
+        """M66: the program waits for the machine and takes its position. Its usual form for that
+        is E0 L0; any other asks for an input."""
         self.unsynchronized = None
+        if "p" in words or words.get("e", 0) or words.get("l", 0):
+            self.line = line
+            self.out(f"note {self.where(self._this())} M66: the input is taken for 0")
 
     # --- texts -------------------------------------------------------------------------------
 

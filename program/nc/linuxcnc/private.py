@@ -17,7 +17,7 @@ def sepax_prolog(self, **words):
 
 def sepax_m66(self, **words):
     self.params[5399] = 0.0
-    canon.synchronize()
+    canon.synchronize(int(words["n"]), words)
     return OK
 
 def sepax_output(self, **words):
@@ -61,7 +61,7 @@ def private_ini(job):
                           f"end remaps it")
     ours = {
         "[RS274NGC]": ["HAL_PIN_VARS = 0",
-                       "REMAP = M66 modalgroup=10 argspec=pelq python=sepax_m66",
+                       "REMAP = M66 modalgroup=10 argspec=pelqN python=sepax_m66",
                        "REMAP = M67 modalgroup=10 argspec=eqN python=sepax_output",
                        "REMAP = M68 modalgroup=10 argspec=eqN python=sepax_output"],
         "[PYTHON]": [f"TOPLEVEL = {job.folder}/toplevel.py"]}
