@@ -17,6 +17,7 @@
 enum {
   KEY_CSV = 0x400,
   KEY_MOTION,
+  KEY_LEFT,
   KEY_RULES,
   KEY_WORST,
   KEY_PAGE,
@@ -39,6 +40,10 @@ static const struct argp_option options[] = {
      "let links meet in motions of a kind: FILE is CSV with lines such as cutter,stock,feed", 0},
     {"motion", KEY_MOTION, "FILE", 0,
      "write the path of an NC program to FILE as CSV, a motion file that sepax path reads", 0},
+    {"left", KEY_LEFT, "FILE", 0,
+     "write what is left of --stock to FILE, for --first: FILE.obj as a mesh in metres, other names "
+     "as cells",
+     0},
     {"csv", KEY_CSV, "FILE", 0,
      "write to FILE as CSV: for each line of the path, each pair of bodies that is not free in it",
      0},
@@ -120,6 +125,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_RULES:
     q->table = text;
     return 0;
+  case KEY_LEFT:
+    q->left = text;
+    return 0;
   case KEY_MOTION:
     q->written = text;
     return 0;
@@ -161,22 +169,23 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 enum { WORD = 18, INTERVALS = 1 << 18 };
 
-enum { OUTPUTS = 6 };
+enum { OUTPUTS = 7 };
 
 static const char *output_of(const path_question *q, int n) {
-  const char *const outputs[OUTPUTS] = {q->csv,  q->picture, q->certificate,
-                                        q->page, q->jobs,    q->written};
+  const char *const outputs[OUTPUTS] = {q->csv,  q->picture, q->certificate, q->page,
+                                        q->jobs, q->written, q->left};
   return outputs[n];
 }
 
 /* Fail before the long search if an output file cannot be written. */
 static bool outputs_possible(const path_question *q, sepax_error *error) {
-  const char *const inputs[] = {q->urdf, q->motion, q->srdf, q->table, q->machine, q->tool_table};
+  const char *const inputs[] = {q->urdf,    q->motion,     q->srdf, q->table,
+                                q->machine, q->tool_table, q->first};
   const char *outputs[OUTPUTS];
   for (int i = 0; i < OUTPUTS; i++) {
     outputs[i] = output_of(q, i);
   }
-  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 6, error);
+  bool ok = cli_outputs_allowed(outputs, OUTPUTS, inputs, 7, error);
   for (int i = 0; i < OUTPUTS && ok; i++) {
     ok = outputs[i] == NULL || sepax__write_file_possible(outputs[i], error);
   }
@@ -237,7 +246,11 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "%s: applies only to tools; give --tools, too, or leave it out", of_tools);
   }
-  const char *of_stock = q->cell.text != NULL ? "cells" : q->depth.text != NULL ? "depth" : NULL;
+  const char *of_stock = q->first != NULL        ? "first"
+                         : q->left != NULL       ? "left"
+                         : q->cell.text != NULL  ? "cells"
+                         : q->depth.text != NULL ? "depth"
+                                                 : NULL;
   if (q->stock == NULL && of_stock != NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "%s: applies only to --stock; give --stock, too, or leave it out", of_stock);

@@ -12,6 +12,7 @@
 #include "path/certify.h"
 #include "path/cutter.h"
 #include "util/error.h"
+#include "util/write_file.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,6 +67,21 @@ bool path_cutting_begin(path_scene *scene, const path_question *q, sepax_error *
 
 /* ----------------------------------------------------------------------- the stock */
 
+/* What an earlier program has left. Nothing of it is certainly material. */
+static bool read_first(cutting *c, sepax_error *error) {
+  path_stock *s = &c->scene->stock;
+  if (!sepax__stock_read(&c->outer, c->q->first, error)) {
+    return false;
+  }
+  sepax__stock_facts facts = sepax__stock_look(c->outer);
+  if (facts.bound != SEPAX__STOCK_OUTER || facts.cell != s->cell) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%.300s: has cells of %.6g mm, not of %.6g mm; give --cells=%.17gm",
+                      c->q->first, facts.cell * 1e3, s->cell * 1e3, facts.cell);
+  }
+  return true;
+}
+
 static bool fill(cutting *c, sepax__stock **stock, sepax__stock_bound bound, sepax_error *error) {
   const path_body *b = &c->scene->body[c->scene->stock.body];
   double box[2][3];
@@ -102,6 +118,9 @@ static bool begin(cutting *c, sepax_error *error) {
         !path_cutter_make(&c->cutter[n], b->turned, b->turned_part, arc_error, error)) {
       return false;
     }
+  }
+  if (c->q->first != NULL) {
+    return read_first(c, error);
   }
   return fill(c, &c->outer, SEPAX__STOCK_OUTER, error) &&
          fill(c, &c->inner, SEPAX__STOCK_INNER, error);
@@ -194,8 +213,8 @@ static bool judge(cutting *c, path_pair *pair, const sepax__stock_way *way, sepa
   double depth[2] = {0, INFINITY};
   double at[3];
   bool hit = false;
-  if (!sepax__stock_hit(c->inner, shapes->inside, shapes->count, way, tolerance_of(c), &hit, at,
-                        error) ||
+  if ((c->inner != NULL && !sepax__stock_hit(c->inner, shapes->inside, shapes->count, way,
+                                             tolerance_of(c), &hit, at, error)) ||
       !sepax__stock_depth(c->outer, shapes->outside, shapes->count, way,
                           tolerance_of(c) + clearance, depth, error)) {
     return false;
@@ -233,7 +252,8 @@ static bool cut(cutting *c, double from, double to, sepax_error *error) {
   const path_cutter *shapes = cutter_of(c, flutes);
   sepax__stock_way way = way_of(c, flutes, from, to);
   return sepax__stock_cut(c->outer, shapes->inside, shapes->count, &way, tolerance_of(c), error) &&
-         sepax__stock_cut(c->inner, shapes->outside, shapes->count, &way, tolerance_of(c), error);
+         (c->inner == NULL ||
+          sepax__stock_cut(c->inner, shapes->outside, shapes->count, &way, tolerance_of(c), error));
 }
 
 /* The number of parts of a motion that cuts: no point of the tool goes farther than part_most, or
@@ -292,6 +312,35 @@ static void count(const path_scene *scene, path_pair *pair) {
   pair->proof.certified = pair->lines[VERDICT_FREE] == pair->lines_asked;
 }
 
+/* ------------------------------------------------------------------- what is left */
+
+static bool write_obj(FILE *out, const void *context) {
+  const sepax_soup *mesh = context;
+  bool ok = fputs("# what is left of the stock, in metres\n", out) != EOF;
+  for (size_t n = 0; n < mesh->count && ok; n++) {
+    const double(*v)[3] = (const double(*)[3])mesh->facet[n].v;
+    for (int k = 0; k < 3 && ok; k++) {
+      ok = fprintf(out, "v %.17g %.17g %.17g\n", v[k][0], v[k][1], v[k][2]) > 0;
+    }
+    ok = ok && fputs("f -3 -2 -1\n", out) != EOF;
+  }
+  return ok;
+}
+
+static bool write_left(const cutting *c, sepax_error *error) {
+  enum { TRIANGLES_MOST = 20000000 };
+  const char *path = c->q->left;
+  size_t length = strlen(path);
+  sepax_soup mesh = {0};
+  if (length < 4 || strcmp(path + length - 4, ".obj") != 0) {
+    return sepax__stock_write(c->outer, path, error);
+  }
+  bool ok = sepax__stock_mesh(c->outer, TRIANGLES_MOST, &mesh, error) &&
+            sepax_write_file(path, write_obj, &mesh, error);
+  sepax_soup_free(&mesh);
+  return ok;
+}
+
 static bool run(cutting *c, sepax_error *error) {
   path_scene *scene = c->scene;
   cli_progress progress = cli_progress_begin("motions through the stock", scene->motion.lines);
@@ -317,6 +366,7 @@ static bool run(cutting *c, sepax_error *error) {
     sepax__stock_facts facts = sepax__stock_look(c->outer);
     scene->stock.cells = (size_t)facts.cells;
     scene->stock.bytes = (size_t)facts.bytes;
+    ok = c->q->left == NULL || write_left(c, error);
   }
   scene->stock.seconds = cli_progress_end(&progress);
   return ok;

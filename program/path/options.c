@@ -24,6 +24,7 @@ enum {
   KEY_GOUGE,
   KEY_CELLS,
   KEY_DEPTH,
+  KEY_FIRST,
   KEY_BLENDED,
   KEY_DEVIATION,
   KEY_SMOOTHING
@@ -63,6 +64,10 @@ static const struct argp_option options[] = {
      0},
     {"depth", KEY_DEPTH, "LENGTH", 0,
      "flutes in rapids and shanks may be so deep in what is left of --stock (default: two cells)",
+     0},
+    {"first", KEY_FIRST, "FILE", 0,
+     "--stock is what an earlier program has left, a file of --left; the mesh of the link must hold "
+     "it",
      0},
     {"machine", KEY_MACHINE, "FILE.ini", 0,
      "the second file is an NC program for the machine of this configuration of LinuxCNC", 0},
@@ -168,6 +173,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_DEPTH:
     q->depth = cli_limit(state, "depth", text, CLI_METRES);
+    return 0;
+  case KEY_FIRST:
+    q->first = text;
     return 0;
   case KEY_MACHINE:
     q->machine = text;

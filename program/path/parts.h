@@ -35,6 +35,7 @@ typedef struct {
   /* Tools as bodies on a link; tools is NULL if there are none. The names of the links of the stock
    * and of the finished part, or NULL; how deep flutes may be in the part, metres. */
   const char *tools, *tool_link, *stock, *part;
+  const char *first, *left;        /* files of the stock: at the start, and what is left; or NULL */
   report_limit gouge, cell, depth; /* metres; cell and depth: of the stock as it is cut */
   int loaded;                      /* the tool in the spindle at the start; -1: not known */
   /* Of an NC program; machine is NULL if the path is a motion file. */
