@@ -33,7 +33,14 @@ typedef struct {
   sepax__stock_joints joints;
   double *value; /* memory of `joints`, and of the ends of a part of a motion */
   size_t line;   /* the motion ends in this line */
+  /* Of the part of a tool at hand: what was found, and how deep it is. */
+  report_verdict found;
+  double depth[2];
+  size_t looks; /* closer looks that were taken */
 } cutting;
+
+/* Closer looks at most, and the cells on a side of what they look at. */
+enum { LOOKS_MOST = 200, CLOSE_MOST = 200 };
 
 /* ------------------------------------------------------------------------- choices */
 
@@ -207,20 +214,87 @@ static void note(cutting *c, path_pair *pair, report_verdict verdict, const doub
 }
 
 /* A part of the tool touches the outer bound. Is that certainly material? */
-static bool judge(cutting *c, path_pair *pair, const sepax__stock_way *way, sepax_error *error) {
+static bool judge(cutting *c, const path_pair *pair, const sepax__stock_way *way,
+                  sepax_error *error) {
   const path_cutter *shapes = cutter_of(c, pair);
   double clearance = c->q->bands.clearance.length;
-  double depth[2] = {0, INFINITY};
   double at[3];
   bool hit = false;
   if ((c->inner != NULL && !sepax__stock_hit(c->inner, shapes->inside, shapes->count, way,
                                              tolerance_of(c), &hit, at, error)) ||
       !sepax__stock_depth(c->outer, shapes->outside, shapes->count, way,
-                          tolerance_of(c) + clearance, depth, error)) {
+                          tolerance_of(c) + clearance, c->depth, error)) {
     return false;
   }
-  note(c, pair, hit ? VERDICT_COLLISION : VERDICT_UNDECIDED, depth);
+  c->found = hit ? VERDICT_COLLISION : VERDICT_UNDECIDED;
   return true;
+}
+
+/* -------------------------------------------------------------------- a closer look */
+
+/* Cut a stock by all that the path has cut before the part `from` of the motion at hand. */
+static bool replay(cutting *c, sepax__stock *stock, double from, sepax_error *error) {
+  size_t line = c->line;
+  bool ok = true;
+  for (c->line = 1; c->line <= line && ok; c->line++) {
+    double to = c->line < line ? 1 : from;
+    if (!format_motion_goes_on(&c->scene->motion, c->line - 1) || !find_pairs(c) || !cuts(c) ||
+        to == 0) {
+      continue;
+    }
+    const path_pair *flutes = c->of[NC_FLUTES];
+    const path_cutter *shapes = cutter_of(c, flutes);
+    sepax__stock_way way = way_of(c, flutes, 0, to);
+    ok = sepax__stock_cut(stock, shapes->inside, shapes->count, &way, tolerance_of(c), error);
+  }
+  c->line = line;
+  find_pairs(c);
+  return ok;
+}
+
+/* A box around the cells that were touched, with cells of a quarter of the side around it. */
+static bool make_close(cutting *c, sepax__stock **stock, const double touched[2][3],
+                       sepax_error *error) {
+  const path_body *b = &c->scene->body[c->scene->stock.body];
+  double cell = c->scene->stock.cell;
+  double box[2][3];
+  for (int i = 0; i < 3; i++) {
+    box[0][i] = touched[0][i] - cell / 8;
+    box[1][i] = touched[1][i] + cell / 8;
+    if (box[1][i] - box[0][i] > CLOSE_MOST * cell) {
+      *stock = NULL;
+      return true;
+    }
+  }
+  return sepax__stock_new(stock, SEPAX__STOCK_OUTER, box, cell / 4, error) &&
+         sepax__stock_fill_mesh(*stock, &b->mesh, error);
+}
+
+/* Does a closer look, with cells of a quarter of the side around what was touched, prove that the
+ * part of the tool is free? It heals seams: walls of cells between two cuts that overlap by less
+ * than a cell. */
+static bool look_closer(cutting *c, path_pair *pair, double from, double to, double shrink,
+                        double tolerance, bool *is_free, sepax_error *error) {
+  const path_cutter *shapes = cutter_of(c, pair);
+  sepax__stock_touch found;
+  sepax__stock *close = NULL;
+  if (c->looks == LOOKS_MOST || c->q->first != NULL) {
+    return true;
+  }
+  c->looks++;
+  sepax__stock_way way = way_of(c, pair, from, to);
+  bool ok = sepax__stock_test(c->outer, shapes->outside, shapes->count, &way, shrink, tolerance,
+                              true, &found, error) &&
+            make_close(c, &close, (const double(*)[3])found.box, error);
+  if (ok && close != NULL) {
+    ok = replay(c, close, from, error);
+    way = way_of(c, pair, from, to);
+    ok = ok && sepax__stock_test(close, shapes->outside, shapes->count, &way, shrink, tolerance,
+                                 false, &found, error);
+    *is_free = ok && found.free;
+  }
+  sepax__stock_free(close);
+  return ok;
 }
 
 /* Test one part of the tool between two parts of the motion. */
@@ -244,7 +318,21 @@ static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_er
       !path_certify_segment(c->scene, c->q, pair, c->line - 1, &is_free, error)) {
     return false;
   }
-  return is_free || judge(c, pair, &way, error);
+  if (is_free) {
+    return true;
+  }
+  if (!judge(c, pair, &way, error)) {
+    return false;
+  }
+  double shrink = holder ? 0 : c->scene->stock.depth;
+  if (c->found == VERDICT_UNDECIDED &&
+      !look_closer(c, pair, from, to, shrink, tolerance_of(c) + clearance, &is_free, error)) {
+    return false;
+  }
+  if (!is_free) {
+    note(c, pair, c->found, c->depth);
+  }
+  return true;
 }
 
 static bool cut(cutting *c, double from, double to, sepax_error *error) {
