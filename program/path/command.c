@@ -41,8 +41,8 @@ static const struct argp_option options[] = {
     {"motion", KEY_MOTION, "FILE", 0,
      "write the path of an NC program to FILE as CSV, a motion file that sepax path reads", 0},
     {"left", KEY_LEFT, "FILE", 0,
-     "write what is left of --stock to FILE, for --first: FILE.obj as a mesh in metres, other names "
-     "as cells",
+     "write what is left of --stock to FILE, for --first: FILE.obj as a mesh in metres, other "
+     "names as cells",
      0},
     {"csv", KEY_CSV, "FILE", 0,
      "write to FILE as CSV: for each line of the path, each pair of bodies that is not free in it",

@@ -40,6 +40,7 @@ static const struct argp_option options[] = {
     {"hold", KEY_HOLD, NULL, 0, "keep joints that have no column in the CSV at 0", 0},
     {"ignore-limits", KEY_IGNORE_LIMITS, NULL, 0, "accept values beyond the limits of their joints",
      0},
+    {NULL, 0, NULL, 0, "NC programs, tools and stock:", 1},
     {"tools", KEY_TOOLS, "FILE", 0,
      "the tools that the path names are bodies on --tool-link: flutes, shank and holder of each, "
      "from this file of tools",
@@ -66,8 +67,8 @@ static const struct argp_option options[] = {
      "flutes in rapids and shanks may be so deep in what is left of --stock (default: two cells)",
      0},
     {"first", KEY_FIRST, "FILE", 0,
-     "--stock is what an earlier program has left, a file of --left; the mesh of the link must hold "
-     "it",
+     "--stock is what an earlier program has left, a file of --left; the mesh of the link must "
+     "hold it",
      0},
     {"machine", KEY_MACHINE, "FILE.ini", 0,
      "the second file is an NC program for the machine of this configuration of LinuxCNC", 0},
@@ -82,21 +83,21 @@ static const struct argp_option options[] = {
      "block-delete, seconds=N for the interpreter (default 60); the option may be repeated",
      0},
     {"rapids", KEY_RAPIDS, "WAY", 0,
-     "straight: the axes of a rapid start and arrive together (default); dogleg: each takes its own "
-     "time",
+     "straight: the axes of a rapid start and arrive together (default); dogleg: each takes its "
+     "own time",
      0},
     {"blended", KEY_BLENDED, NULL, 0,
-     "count the rounding of corners of G64 without P as a deviation; it has no bound but the motions "
-     "themselves (default: exact corners)",
+     "count the rounding of corners of G64 without P as a deviation; it has no bound but the "
+     "motions themselves (default: exact corners)",
      0},
     {"deviation", KEY_DEVIATION, "LENGTH", 0,
      "motions of an NC program that are curved in the joints are divided until each joint is at "
      "most LENGTH, or as many radians as LENGTH has metres, from linear motion (default 1um)",
      0},
     {"smoothing", KEY_SMOOTHING, "LENGTH", 0,
-     "how far the control's smoothing takes a linear joint off its way: a sixth of its acceleration "
-     "times the square of the servo period (default 1um, and ten times as many radians of a rotary "
-     "joint as a linear one has metres)",
+     "how far the control's smoothing takes a linear joint off its way: a sixth of its "
+     "acceleration times the square of the servo period (default 1um, and ten times as many "
+     "radians of a rotary joint as a linear one has metres)",
      0},
     {0}};
 
