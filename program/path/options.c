@@ -165,6 +165,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_GOUGE:
     q->gouge = cli_limit(state, "gouge", text, CLI_METRES);
+    if (!(q->gouge.length >= 1e-7)) {
+      argp_error(state, "gouge: %s is below 100nm", text);
+    }
     return 0;
   case KEY_CELLS:
     q->cell = cli_limit(state, "cells", text, CLI_METRES);
