@@ -102,6 +102,16 @@ static bool get(reader *r, uint8_t *byte, size_t count) {
   return true;
 }
 
+/* The bytes of a file, or -1 with errno. */
+static long size_of(FILE *in) {
+  long at = ftell(in);
+  if (at < 0 || fseek(in, 0, SEEK_END) != 0) {
+    return -1;
+  }
+  long size = ftell(in);
+  return size >= 0 && fseek(in, at, SEEK_SET) == 0 ? size : -1;
+}
+
 /* The box of the bricks gives back their number: sepax__stock_new counts bricks up to 2^-23. */
 static bool make_stock(reader *r, const uint8_t head[HEAD_BYTES], sepax__stock **stock) {
   double cell = get_double(head + 16);
@@ -119,6 +129,13 @@ static bool make_stock(reader *r, const uint8_t head[HEAD_BYTES], sepax__stock *
   }
   if (!ok) {
     return fail_format(r, "the head of the stock has an impossible size");
+  }
+  long size = size_of(r->in);
+  if (size < 0) {
+    return sepax_fail(r->error, SEPAX_ERROR_FILE, "%.300s: %s", r->path, strerror(errno));
+  }
+  if (all > (double)size) { /* a brick has a byte; no memory is taken for what is not there */
+    return fail_format(r, "the stock is truncated");
   }
   if (!sepax__stock_new(stock, bound == 0 ? SEPAX__STOCK_OUTER : SEPAX__STOCK_INNER, box, cell,
                         r->error)) {

@@ -124,6 +124,7 @@ CASE(the_box_holds_all_that_is_touched) {
     sepax__stock_touch found = touch(s, &t.shape[1], &m, 0.1, 0, true);
     sepax__stock_facts f = sepax__stock_look(s);
     if (found.free) {
+      sepax__stock_free(s);
       continue;
     }
     /* the same cells without those in the box */
