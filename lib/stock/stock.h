@@ -57,9 +57,9 @@ typedef struct {
  * and tests add. Straight edges, balls at the end of a cylinder and whole balls are kept as they
  * are. Other arcs become chords in `inside`, tangents in `outside`: no point of the surface of
  * either is farther than `error_most` from the solid's, but for the corners of the tangents, which
- * are up to twice as far away. Errors: ARGUMENT if the profile is not as above, not convex, if an
- * arc is longer than its edges or a number is not finite; LIMIT if it needs more than
- * SEPAX__STOCK_LIMITS limits. */
+ * are up to twice as far away. A 256th of a cell suits a depth of two cells. Errors: ARGUMENT if
+ * the profile is not as above, not convex, if an arc is longer than its edges or a number is not
+ * finite; LIMIT if it needs more than SEPAX__STOCK_LIMITS limits. */
 bool sepax__stock_shape_make(const sepax__stock_corner *corner, size_t count, double error_most,
                              sepax__stock_shape *inside, sepax__stock_shape *outside,
                              sepax_error *error);

@@ -149,7 +149,9 @@ bool sepax__sweep_make(sweep *s, const sepax__stock_shape *shape, const sepax__s
   s->count = shape->count;
   for (int n = 0; n < s->count; n++) {
     const sepax__stock_limit *k = &shape->limit[n];
-    double cube = k->round ? sqrt(3) * (1 + 0x1p-40) : k->a * radial + fabs(k->b) * axial;
+    /* the cube lies in a ball, and in a cylinder around the axis */
+    double ball = sqrt(3) * (1 + 0x1p-40);
+    double cube = k->round ? ball : fmin(ball, k->a * radial + fabs(k->b) * axial);
     s->limit[n] = (sweep_limit){k->round, k->a, k->b, k->c + grow, cube};
   }
   enclose(s, shape, piece, grow);

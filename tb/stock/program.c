@@ -63,17 +63,19 @@ static void make_shape(sepax__stock_shape shape[2], const sepax__stock_corner co
 }
 
 void make_tools(mill tool[TOOLS], double error_most) {
-  const double radius[TOOLS] = {5, 3, 4, 2};
-  const double flutes[TOOLS] = {22, 30, 22, 8};
+  const double radius[TOOLS] = {5, 3, 4, 2, 2};
+  const double flutes[TOOLS] = {22, 30, 22, 8, 8};
+  const double round[TOOLS] = {0, 0, 4, 2, 0.9};
   for (int n = 0; n < TOOLS; n++) {
     double r = radius[n];
     double tip = n == 1 ? r / tan(59 * PI / 180) : 0;
     const sepax__stock_corner cutter[4] = {
-        {0, 0, 0}, {r, tip, n >= 2 ? r : 0}, {r, flutes[n], 0}, {0, flutes[n], 0}};
+        {0, 0, 0}, {r, tip, round[n]}, {r, flutes[n], 0}, {0, flutes[n], 0}};
     const sepax__stock_corner shank[4] = {
         {0, flutes[n], 0}, {r, flutes[n], 0}, {r, 35, 0}, {0, 35, 0}};
     const sepax__stock_corner holder[4] = {{0, 35, 0}, {20, 35, 0}, {20, 40, 0}, {0, 40, 0}};
     tool[n].radius = r;
+    tool[n].round = round[n];
     make_shape(tool[n].flutes, cutter, error_most, false);
     make_shape(tool[n].shank, shank, error_most, true);
     make_shape(tool[n].holder, holder, error_most, false);
@@ -168,7 +170,7 @@ static stand on_cone(double h, double azimuth, double deep, double lean) {
   return at;
 }
 
-program five_axis_part(void) {
+program five_axis_part(int tool) {
   enum { GROOVES = 12, LAYERS = 4, PASSES = 3, STEPS = 30 };
   program p = {0};
   for (int n = 0; n < GROOVES * LAYERS * PASSES; n++) {
@@ -179,11 +181,11 @@ program five_axis_part(void) {
       double azimuth = 2 * PI * groove / GROOVES + 0.9 * h * h + 0.05 * (n % PASSES - 1);
       double lean = 0.25 * sin(5 * h + n % PASSES);
       if (k == 0) {
-        go(&p, true, 3, on_cone(h, azimuth, -15, lean));
+        go(&p, true, tool, on_cone(h, azimuth, -15, lean));
       }
-      go(&p, k == 0, 3, on_cone(h, azimuth, 1.5 * (layer + 1) - (k == 0 ? 12 : 0), lean));
+      go(&p, k == 0, tool, on_cone(h, azimuth, 1.5 * (layer + 1) - (k == 0 ? 12 : 0), lean));
       if (k == STEPS) {
-        go(&p, true, 3, on_cone(h, azimuth, -15, lean));
+        go(&p, true, tool, on_cone(h, azimuth, -15, lean));
       }
     }
   }

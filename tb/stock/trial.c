@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* trial.c - whole programs on the stock: what is proved of them, and is it true?
  *
- *   stock-trial three|five CELL
+ *   stock-trial three|shifted|ball|bull CELL
  *
- * `three` is the part in three axes, `five` the five-axis motion. Prints times, memory and how
- * tight the bound is, and fails with status 1 if
+ * `three` is the part in three axes, `shifted` the same with the faces of the part between the
+ * faces of cells; `ball` and `bull` are the five-axis motion with a ball and with a bull nose.
+ * Prints times, memory and how tight the bound is, and fails with status 1 if
  *   - a rapid, or the way of a feed gone back, is not free at a depth of two cells;
  *   - a corner of a cell that is gone is in the cutter at no pose of a feed, taken every 3 um;
  *   - a way that is deeper than two cells in a cell that is there is called free;
@@ -25,6 +26,8 @@ enum { CORNER_CELLS = 400, PLANTS = 200, DEEP_CELLS = 3000 };
 
 typedef struct {
   bool five;
+  int cutter; /* in five axes */
+  bool shifted;
   double cell;
   program made;
   mill tool[TOOLS];
@@ -110,10 +113,10 @@ static double beyond_stand(const mill *k, int tool, const stand *at, const doubl
     }
   }
   double rho = hypot(q[0], q[1]);
-  double r = k->radius;
-  double beyond = fmax(rho - r, q[2] - k->flutes[0].high);
-  if (tool >= 2) {
-    return fmax(beyond, hypot(rho, fmin(0, q[2] - r)) - r);
+  double c = k->round;
+  double beyond = fmax(rho - k->radius, q[2] - k->flutes[0].high);
+  if (c > 0 && rho > k->radius - c && q[2] < c) {
+    return fmax(beyond, hypot(rho - (k->radius - c), c - q[2]) - c);
   }
   double slope = tool == 1 ? 59 * PI / 180 : PI / 2;
   return fmax(beyond, rho * cos(slope) - q[2] * sin(slope));
@@ -220,7 +223,7 @@ static void plant_rapids(trial *t) {
       continue;
     }
     cell_point(&f, at, (const double[]){0.5, 0.5, 0.5}, p);
-    int tool = t->five ? 3 : found % 3;
+    int tool = t->five ? t->cutter : found % 3;
     const mill *k = &t->tool[tool];
     stand there = {.a = t->five ? PI * random_unit() : 0, .c = t->five ? PI * random_unit() : 0};
     sepax_pose pose = pose_of(&there);
@@ -291,7 +294,12 @@ static void plant_holders(trial *t) {
 
 static sepax__stock *first_stock(const trial *t) {
   sepax__stock *s;
-  must(sepax__stock_new(&s, SEPAX__STOCK_OUTER, t->five ? cone_box : part_box, t->cell, &fault));
+  double box[2][3];
+  for (int i = 0; i < 3; i++) {
+    box[0][i] = (t->five ? cone_box : part_box)[0][i] - (t->shifted ? 0.37 * t->cell : 0);
+    box[1][i] = (t->five ? cone_box : part_box)[1][i];
+  }
+  must(sepax__stock_new(&s, SEPAX__STOCK_OUTER, box, t->cell, &fault));
   if (!t->five) {
     must(sepax__stock_fill_box(s, part_box, &fault));
     return s;
@@ -305,19 +313,22 @@ static sepax__stock *first_stock(const trial *t) {
 
 int main(int argc, char **argv) {
   trial t = {.cell = argc == 3 ? strtod(argv[2], NULL) : 0};
-  t.five = argc == 3 && strcmp(argv[1], "five") == 0;
-  if (argc != 3 || (!t.five && strcmp(argv[1], "three") != 0) || !(t.cell >= 0.02)) {
-    fprintf(stderr, "usage: stock-trial three|five CELL\n");
+  bool bull = argc == 3 && strcmp(argv[1], "bull") == 0;
+  t.cutter = bull ? FIVE_AXIS_BULL : FIVE_AXIS_BALL;
+  t.five = bull || (argc == 3 && strcmp(argv[1], "ball") == 0);
+  t.shifted = argc == 3 && strcmp(argv[1], "shifted") == 0;
+  if (argc != 3 || (!t.five && !t.shifted && strcmp(argv[1], "three") != 0) || !(t.cell >= 0.02)) {
+    fprintf(stderr, "usage: stock-trial three|shifted|ball|bull CELL\n");
     return 2;
   }
-  make_tools(t.tool, t.cell / 32);
-  t.made = t.five ? five_axis_part() : three_axis_part();
+  make_tools(t.tool, t.cell / 256);
+  t.made = t.five ? five_axis_part(t.cutter) : three_axis_part();
   t.stock = first_stock(&t);
   sepax__stock *first = first_stock(&t);
   run(&t);
   sepax__stock_facts f = sepax__stock_look(t.stock);
-  printf("%s axes, cells of %g: %zu lines, cut in %.2f s, %d ways tested in %.2f s, %.1f MB\n",
-         argv[1], t.cell, t.made.count, t.seconds[0], t.tests, t.seconds[1], (double)f.bytes / 1e6);
+  printf("%s, cells of %g: %zu lines, cut in %.2f s, %d ways tested in %.2f s, %.1f MB\n", argv[1],
+         t.cell, t.made.count, t.seconds[0], t.tests, t.seconds[1], (double)f.bytes / 1e6);
   printf("  false alarms at two cells: %d\n", t.alarms);
   if ((double)f.bytes > (t.cell >= 0.25 ? 64e6 : 256e6)) {
     complain(&t, "too much memory", 0);
