@@ -33,6 +33,7 @@ typedef struct {
 typedef struct {
   int first, second; /* numbers of links */
   chain chain;
+  double clearance;
   bool constant; /* none of the joints between them ever moves */
 } pair;
 
@@ -80,8 +81,8 @@ static motion motion_in(const proof *p, const pair *of, int segment, uint64_t fr
 }
 
 /* How far the bodies must be apart on the linear way to the next line. */
-static double need(const proof *p, int segment) {
-  return p->clearance + (p->steps.lines > 1 ? p->steps.step[segment + 1].deviation : 0);
+static double need(const proof *p, const pair *of, int segment) {
+  return of->clearance + (p->steps.lines > 1 ? p->steps.step[segment + 1].deviation : 0);
 }
 
 /* Is there a way from a line to the next? */
@@ -111,12 +112,12 @@ static bool must_be_apart(const proof *p, const pair *of, int line) {
 
 static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t to, int depth) {
   const motion m = motion_in(p, of, segment, from, to);
-  if (separated(&p->body[of->first].tree, &p->body[of->second].tree, &m, need(p, segment)))
+  if (separated(&p->body[of->first].tree, &p->body[of->second].tree, &m, need(p, of, segment)))
     return;
   if (depth == DEPTH || to - from < 2) {
     reject("%s, %s: segment %d: not proved to be farther from each other than %g m from %.9Lg to "
            "%.9Lg of the way",
-           first_name(p, of), second_name(p, of), segment, need(p, segment),
+           first_name(p, of), second_name(p, of), segment, need(p, of, segment),
            (long double)from / (long double)WHOLE, (long double)to / (long double)WHOLE);
   }
   p->halved++;
@@ -161,7 +162,7 @@ static void prove_starts(proof *p, const pair *of) {
     const bool begins = must_be_apart(p, of, line) && !must_be_apart(p, of, line - 1);
     proved = begins || (lone && !may_meet(p, of, line));
     if (proved)
-      prove_start(p, of, line, p->clearance + (of->constant ? most : 0));
+      prove_start(p, of, line, of->clearance + (of->constant ? most : 0));
   }
 }
 
@@ -172,13 +173,14 @@ static bool proved_by_axis(const proof *p, const pair *of, const certificate_lin
   const surface *a = body_of(p, of->first);
   const surface *b = body_of(p, of->second);
   const gap g = gap_along(a, b, m, line->axis);
-  if (!(g.middle + m->rounding + a->rounded + b->rounded > line->bound + need(p, line->segment))) {
+  if (!(g.middle + m->rounding + a->rounded + b->rounded >
+        line->bound + need(p, of, line->segment))) {
     reject("%s, %s: segment %d: boxes are %g m from each other along the axis of %s, not more than "
            "%g m",
            first_name(p, of), second_name(p, of), line->segment, g.middle, line->where,
-           line->bound + need(p, line->segment));
+           line->bound + need(p, of, line->segment));
   }
-  return g.always > need(p, line->segment);
+  return g.always > need(p, of, line->segment);
 }
 
 /* How far the certificate's lines have come: everything before is covered. */
@@ -254,7 +256,24 @@ static bool is_constant(const proof *p, const chain *c) {
   return true;
 }
 
-static void add_pair(proof *p, const char *first, const char *second) {
+/* Does the certificate leave out the clearance of a part of a tool and another link? */
+static bool is_bare(const proof *p, const certificate *c, int a, int b) {
+  const json_t *list = json_object_get(c->head, "without_clearance");
+  const bool of_tool = p->robot.link[a].role != NULL || p->robot.link[b].role != NULL;
+  for (size_t n = 0; n < json_array_size(list) && of_tool; n++) {
+    const char *first = json_string_value(json_array_get(json_array_get(list, n), 0));
+    const char *second = json_string_value(json_array_get(json_array_get(list, n), 1));
+    if (first != NULL && second != NULL && robot_link_named(&p->robot, first) == a &&
+        robot_link_named(&p->robot, second) == b) {
+      if (p->clearance > 0)
+        printf("%s and %s: the clearance does not count\n", first, second);
+      return true;
+    }
+  }
+  return false;
+}
+
+static void add_pair(proof *p, const certificate *c, const char *first, const char *second) {
   const int a = robot_link_named(&p->robot, first);
   const int b = robot_link_named(&p->robot, second);
   if (a < 0 || b < 0)
@@ -264,7 +283,9 @@ static void add_pair(proof *p, const char *first, const char *second) {
   if (body_of(p, a)->count == 0 || body_of(p, b)->count == 0) {
     reject("%s, %s: without collision geometry", first, second);
   }
-  pair new = {a, b, chain_between(&p->robot, a, b), false};
+  pair new = {a, b, chain_between(&p->robot, a, b), p->clearance, false};
+  if (is_bare(p, c, a, b))
+    new.clearance = 0;
   new.constant = is_constant(p, &new.chain);
   GROW(p->pair, p->pairs);
   p->pair[p->pairs++] = new;
@@ -334,7 +355,7 @@ int main(int count, char **words) {
   p.body = memory(NULL, links, sizeof *p.body);
   memset(p.body, 0, links * sizeof *p.body);
   for (size_t n = 0; n < c.pairs; n++)
-    add_pair(&p, c.pair[n][0], c.pair[n][1]);
+    add_pair(&p, &c, c.pair[n][0], c.pair[n][1]);
   check_pairs(&p);
   for (size_t n = 0; n < p.pairs; n++)
     prove_starts(&p, &p.pair[n]);

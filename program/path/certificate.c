@@ -206,6 +206,19 @@ static json_t *left_out_of(const path_scene *scene) {
   return list;
 }
 
+/* Pairs for which the clearance does not count. */
+static json_t *bare_of(const path_scene *scene) {
+  json_t *list = json_array();
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_pair *pair = &scene->pair[n];
+    if (pair->bare && !pair->by_cells) {
+      json_array_append_new(list, json_pack("[s, s]", path_body_name(scene, pair->body[0]),
+                                            path_body_name(scene, pair->body[1])));
+    }
+  }
+  return list;
+}
+
 static json_t *head_of(const certificate *c) {
   const path_question *q = c->q;
   json_t *pairs = json_array();
@@ -226,6 +239,7 @@ static json_t *head_of(const certificate *c) {
                         json_string(c->scene->robot.mechanism.link[c->scene->tool_link].name));
     json_object_set_new(head, "bodies", bodies_of(c->scene));
     json_object_set_new(head, "left_out", left_out_of(c->scene));
+    json_object_set_new(head, "without_clearance", bare_of(c->scene));
   }
   return head;
 }

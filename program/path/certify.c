@@ -69,7 +69,8 @@ static void set_values(asking *a) {
 /* How far the bodies must be apart in each pose of the segment. */
 static double clearance_of(const asking *a) {
   const format_step *step = a->all->scene->motion.step;
-  return a->all->q->bands.clearance.length + (step != NULL ? step[a->at.segment + 1].deviation : 0);
+  return path_bands(a->all->q, a->pair).clearance.length +
+         (step != NULL ? step[a->at.segment + 1].deviation : 0);
 }
 
 static double bound_of(const asking *a) {
@@ -269,7 +270,7 @@ static bool divide(asking *a, bool *possible, sepax_error *error) {
 /* Do the bodies collide at the middle? The comparison leaves room for the rounding of the
  * distance. */
 static bool collides(asking *a, bool *yes, sepax_error *error) {
-  double limit = a->all->q->bands.clearance.length * (1 - 0x1p-50);
+  double limit = path_bands(a->all->q, a->pair).clearance.length * (1 - 0x1p-50);
   while (a->least <= limit && limit < a->most) {
     if (!narrow(a, error)) {
       return false;

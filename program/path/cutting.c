@@ -217,7 +217,7 @@ static void note(cutting *c, path_pair *pair, report_verdict verdict, const doub
 static bool judge(cutting *c, const path_pair *pair, const sepax__stock_way *way,
                   sepax_error *error) {
   const path_cutter *shapes = cutter_of(c, pair);
-  double clearance = c->q->bands.clearance.length;
+  double clearance = path_bands(c->q, pair).clearance.length;
   double at[3];
   bool hit = false;
   if ((c->inner != NULL && !sepax__stock_hit(c->inner, shapes->inside, shapes->count, way,
@@ -307,7 +307,7 @@ static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_er
   bool holder = part == NC_HOLDER;
   const path_cutter *shapes = cutter_of(c, pair);
   sepax__stock_way way = way_of(c, pair, from, to);
-  double clearance = holder ? c->q->bands.clearance.length : 0;
+  double clearance = path_bands(c->q, pair).clearance.length;
   if (!sepax__stock_test(c->outer, shapes->outside, shapes->count, &way,
                          holder ? 0 : c->scene->stock.depth, tolerance_of(c) + clearance, false,
                          &found, error)) {

@@ -9,7 +9,9 @@ path_line path_line_begin(const path_scene *scene, const path_question *q, const
                      .q = q,
                      .pair = pair,
                      .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]},
-                     .outer = fmax(q->bands.clearance.length, q->bands.warning.length)};
+                     .bands = path_bands(q, pair),
+                     .outer =
+                         pair->bare ? 0 : fmax(q->bands.clearance.length, q->bands.warning.length)};
 }
 
 void path_line_pose(path_line *l, size_t line) {
@@ -97,7 +99,7 @@ static bool is_within(const path_line *l, const path_range *known, double limit,
 /* A warning is longer than a clearance, so most lines need one comparison. */
 bool path_line_surfaces(const path_line *l, const path_range *known, report_verdict *verdict,
                         sepax_error *error) {
-  const report_bands *bands = &l->q->bands;
+  const report_bands *bands = &l->bands;
   bool near = false;
   *verdict = VERDICT_FREE;
   if (!is_within(l, known, l->outer, &near, error)) {

@@ -12,7 +12,8 @@ typedef struct {
   const path_question *q;
   const path_pair *pair;
   const path_body *body[2];
-  double outer; /* the greater of clearance and warning */
+  report_bands bands; /* of the pair */
+  double outer;       /* the greater of clearance and warning */
   sepax_pose pose[2];
   sepax_distance_result last; /* the last distance above 0 that was found */
   bool has_last;

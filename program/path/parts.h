@@ -120,6 +120,7 @@ typedef struct {
   size_t body[2];
   sepax_chain chain;
   size_t tool; /* the pair exists only while this tool is in the spindle; FORMAT_NO_NAME: always */
+  bool bare;   /* flutes or shank, and the stock or the part: clearance and warning do not count */
   bool by_cells;     /* decided by the stock as it is cut */
   double deepest[2]; /* if by_cells: the deepest touch that was found, in metres: seen to touch when
                         shrunk by the first, free when shrunk by the second */
@@ -190,6 +191,9 @@ extern const struct argp path_scene_argp;
 /* Load the scene. After false the scene can be freed. */
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);
 void path_scene_free(path_scene *scene);
+
+/* The clearance and the warning of a pair. */
+report_bands path_bands(const path_question *q, const path_pair *pair);
 
 /* Read a table of links or parts of tools that may meet in motions of a kind. */
 bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error);

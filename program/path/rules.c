@@ -53,6 +53,10 @@ bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error) {
   return ok;
 }
 
+report_bands path_bands(const path_question *q, const path_pair *pair) {
+  return pair->bare ? (report_bands){.unit = q->bands.unit} : q->bands;
+}
+
 /* ----------------------------------------------------------------------- motions */
 
 static bool always_asked(const path_pair *pair) {

@@ -228,6 +228,8 @@ static bool add_tool_pair(path_scene *scene, const path_question *q, size_t tool
   }
   path_pair *pair = &scene->pair[scene->pairs - 1];
   pair->may_meet = is_flutes && is_link(scene, other, q->stock) ? 1U << FORMAT_FEED : 0;
+  pair->bare = scene->body[tool].turned_part != NC_HOLDER &&
+               (is_link(scene, other, q->stock) || is_link(scene, other, q->part));
   return true;
 }
 

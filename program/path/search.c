@@ -249,7 +249,7 @@ static void measure_pair(void *context, size_t part) {
 static bool ask_touching(asking *a, size_t line, sepax_error *error) {
   bool near = true;
   sepax_distance_result r;
-  if (a->all->q->bands.clearance.length > 0 && !path_line_is_near(&a->at, 0, &near, error)) {
+  if (a->at.bands.clearance.length > 0 && !path_line_is_near(&a->at, 0, &near, error)) {
     return false;
   }
   if (near) {

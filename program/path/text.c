@@ -590,7 +590,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
                    : " (checked in the lines of the path, not between them",
         stdout);
   if (path_certified(scene) && q->bands.clearance.length > 0) {
-    printf("; between the lines all pairs are farther apart than %s", q->bands.clearance.text);
+    printf("; between the lines all pairs%s are farther apart than %s",
+           scene->tool_link != SIZE_MAX ? ", but for flutes and shanks with stock and part," : "",
+           q->bands.clearance.text);
   }
   printf("), %.3f s\n", scene->seconds + scene->between_seconds);
 }
