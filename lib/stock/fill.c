@@ -43,7 +43,8 @@ static bool fill_brick(sepax__stock *s, size_t cells[3][2], const size_t at[3]) 
   unsigned z = bits_in(cells[2], at[2]);
   sepax__brick_get(s, at, layer);
   for (unsigned n = 0; n < BRICK * BRICK; n++) {
-    uint64_t row = (y >> n % BRICK & 1) & (z >> n / BRICK & 1) ? x : 0;
+    bool in = (y >> n % BRICK & 1) != 0 && (z >> n / BRICK & 1) != 0;
+    uint64_t row = in ? x : 0;
     layer[n / BRICK] |= row << (BRICK * (n % BRICK));
   }
   return sepax__brick_put(s, at, layer);

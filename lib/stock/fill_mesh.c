@@ -220,8 +220,8 @@ static bool wait_around(flood *f, const size_t at[3], const uint64_t cells[BRICK
       continue;
     }
     for (int i = 0; i < 3; i++) {
-      size_t to[3] = {at[0] * BRICK + in[0], at[1] * BRICK + in[1], at[2] * BRICK + in[2]};
       if (in[i] == 0 || in[i] == BRICK - 1) {
+        size_t to[3] = {at[0] * BRICK + in[0], at[1] * BRICK + in[1], at[2] * BRICK + in[2]};
         to[i] += in[i] == 0 ? (size_t)-1 : 1;
         if (!wait_for(f, to)) {
           return false;

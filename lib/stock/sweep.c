@@ -44,12 +44,12 @@ static void straighten(double v[3], const double w[3]) {
 
 /* Any unit vector across w. */
 static void across(const double w[3], double v[3]) {
-  int least = 0;
+  int axis = 0;
   for (int i = 1; i < 3; i++) {
-    least = fabs(w[i]) < fabs(w[least]) ? i : least;
+    axis = fabs(w[i]) < fabs(w[axis]) ? i : axis;
   }
   v[0] = v[1] = v[2] = 0;
-  v[least] = 1;
+  v[axis] = 1;
   straighten(v, w);
   scaled(v, 1 / vector_length(v));
   straighten(v, w);

@@ -112,7 +112,7 @@ static bool add_arc(elements *list, const arc *k, double error_most, bool inside
     bool chord = inside != k->inward;
     double in = chord ? (k->inward ? -1 : 1) * k->radius * (1 - cos(step / 2)) : 0;
     element e = {.limit = tangent(k, angle, in - spare), .first = angle, .last = angle};
-    double part[2] = {fmin(parts, fmax(0, n)), fmin(parts, fmax(0, n + 1))};
+    const double part[2] = {fmin(parts, fmax(0, n)), fmin(parts, fmax(0, n + 1))};
     for (int i = 0; i < 2; i++) {
       double at = k->first + part[i] * step;
       double out = k->inward ? -k->radius : k->radius;

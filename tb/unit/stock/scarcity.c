@@ -55,7 +55,7 @@ static bool work_shapes(void *context) {
   return works;
 }
 
-CASE(shapes) {
+CASE(shapes_of_profiles) {
   turned_point point[5] = {{0, 0, 0}, {1, 1, 1}, {2, 1, 0}, {2, 3, 0}, {4, 3, 0}};
   turned_profile turned_tool = {point, 5};
   assert_true(assert_scarce(work_shapes, &turned_tool) > 3);

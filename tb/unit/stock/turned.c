@@ -87,7 +87,7 @@ static long double radius_at(const turning *t, long double z) {
 static bool in_any(const sepax__stock_shapes *shapes, const double p[3], int sure) {
   for (size_t n = 0; n < shapes->count; n++) {
     const sepax__stock_piece still = {.at = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}}};
-    sweep s;
+    sweep s = {.count = 0};
     double q[3];
     double reach;
     assert_works(sepax__sweep_make(&s, &shapes->shape[n], &still, 0, sure, 10, 1e-6, &fault));
