@@ -11,6 +11,7 @@
 #include "path/cutting.h"
 #include "path/certify.h"
 #include "path/cutter.h"
+#include "path/snapshot.h"
 #include "util/error.h"
 #include "util/write_file.h"
 
@@ -442,7 +443,10 @@ static bool run(cutting *c, sepax_error *error) {
     }
   }
   for (c->line = 1; c->line < scene->motion.lines && ok; c->line++) {
-    ok = !format_motion_goes_on(&scene->motion, c->line - 1) || !find_pairs(c) || go(c, error);
+    ok = c->q->page == NULL || !path_snapshot_due(scene, c->line) ||
+         path_snapshot_take(scene, c->outer, c->line, error);
+    ok = ok &&
+         (!format_motion_goes_on(&scene->motion, c->line - 1) || !find_pairs(c) || go(c, error));
     cli_progress_show(&progress, c->line);
   }
   for (size_t n = 0; n < scene->pairs && ok; n++) {
@@ -454,7 +458,9 @@ static bool run(cutting *c, sepax_error *error) {
     sepax__stock_facts facts = sepax__stock_look(c->outer);
     scene->stock.cells = (size_t)facts.cells;
     scene->stock.bytes = (size_t)facts.bytes;
-    ok = c->q->left == NULL || write_left(c, error);
+    ok = (c->q->page == NULL ||
+          path_snapshot_take(scene, c->outer, scene->motion.lines - 1, error)) &&
+         (c->q->left == NULL || write_left(c, error));
   }
   scene->stock.seconds = cli_progress_end(&progress);
   return ok;

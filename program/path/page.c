@@ -337,6 +337,23 @@ static void write_times(FILE *out, const page *p) {
   end_base64(&b);
 }
 
+/* The step of the page that is a line. */
+static size_t step_of(const page *p, size_t line) {
+  size_t n = line;
+  while (n + 1 < p->steps && p->step[n].line < line) {
+    n++;
+  }
+  return n;
+}
+
+/* Cores are within flutes, and the finished part is within the stock as it is cut. */
+static bool is_shown(const page *p, size_t body) {
+  const char *role = p->scene->body[body].role;
+  bool is_part = role == NULL && p->q->part != NULL && p->scene->stock.snapshots > 0 &&
+                 strcmp(path_body_name(p->scene, body), p->q->part) == 0;
+  return !is_part && (role == NULL || strcmp(role, "core") != 0);
+}
+
 static bool write_data(FILE *out, const page *p) {
   const path_scene *scene = p->scene;
   fputs("{\"report\": ", out);
@@ -354,9 +371,16 @@ static bool write_data(FILE *out, const page *p) {
   fputs("],\n\"body\": [", out);
   for (size_t n = 0; n < scene->bodies && ok; n++) {
     size_t tool = scene->body[n].tool;
-    fprintf(out, "%s{\"tool\": %ld, ", n == 0 ? "\n" : ",\n",
-            tool == FORMAT_NO_NAME ? -1L : (long)tool);
+    fprintf(out, "%s{\"tool\": %ld, \"shown\": %s, ", n == 0 ? "\n" : ",\n",
+            tool == FORMAT_NO_NAME ? -1L : (long)tool, is_shown(p, n) ? "true" : "false");
     ok = write_mesh(out, &scene->body[n].mesh) && write_poses(out, p, scene->body[n].link);
+    putc('}', out);
+  }
+  fputs("],\n\"stock\": [", out);
+  for (size_t n = 0; n < scene->stock.snapshots && ok; n++) {
+    fprintf(out, "%s{\"body\": %zu, \"at\": %zu, ", n > 0 ? ",\n" : "\n", scene->stock.body,
+            step_of(p, scene->stock.snapshot[n].line));
+    ok = write_mesh(out, &scene->stock.snapshot[n].mesh);
     putc('}', out);
   }
   fputs("]}", out);

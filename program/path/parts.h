@@ -148,6 +148,14 @@ typedef struct {
   sepax_config config; /* a design for the list */
 } path_jobs;
 
+/* The stock before the motion that ends in a line, coarse, in the coordinates of its link. */
+typedef struct {
+  size_t line;
+  sepax_soup mesh;
+} path_snapshot;
+
+enum { PATH_SNAPSHOTS = 16 };
+
 /* The stock as it is cut: its body, the side of its cells and the depth D, in metres; what is left.
  */
 typedef struct {
@@ -155,6 +163,8 @@ typedef struct {
   double cell, depth; /* cell is 0 if no stock is cut */
   size_t cells, bytes;
   double seconds;
+  path_snapshot snapshot[PATH_SNAPSHOTS + 1]; /* in the order of the path; for the page */
+  size_t snapshots;
 } path_stock;
 
 typedef struct {

@@ -56,6 +56,9 @@ void path_scene_free(path_scene *scene) {
   nc_motion_free(&scene->nc);
   sepax_release(scene->row_of);
   nc_tools_free(&scene->tools);
+  for (size_t n = 0; n < scene->stock.snapshots; n++) {
+    sepax_soup_free(&scene->stock.snapshot[n].mesh);
+  }
 }
 
 /* -------------------------------------------------------------------------- bodies */
