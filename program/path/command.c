@@ -286,10 +286,11 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   if (q->certificate != NULL && !path_digest_possible(error)) {
     return false;
   }
-  if (q->jobs != NULL && q->table != NULL) {
+  if (q->jobs != NULL && (q->table != NULL || q->tools != NULL)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "jobs: not with --rules, because the engine compares all lines of a pair; "
-                      "leave one of them out");
+                      "jobs: not with --%s, because the engine compares all lines of a pair; leave "
+                      "one of them out",
+                      q->table != NULL ? "rules" : "tools");
   }
   const char *const read[] = {q->urdf, q->motion, q->srdf, q->table};
   for (int n = 0; n < 4 && q->certificate != NULL; n++) {
