@@ -2,11 +2,19 @@
 /* joints.c - the way of a tool while joints move linearly, in pieces that do not turn.
  *
  * Let R_0, R_1 and R_m be the tool's turns at the beginning, at the end and in the middle, t_0 and
- * t_1 its translations, c any point. The piece turns by R_m; it goes from o_0 to o_1 where o_k =
- * t_k
- * + (R_k - R_m) c, so that c is where it belongs at both ends. At the part s of the time a point p
- * is truly               at x(s); on its chord        at (1 - s) (R_0 p + t_0) + s (R_1 p + t_1):
- * sepax__chain_bend away or less; in the piece        at (1 - s) (R_m p + o_0) + s (R_m p + o_1).
+ * t_1 its translations, and c any point. The piece turns by R_m. It goes from o_0 to o_1 with
+ *
+ *     o_k = t_k + (R_k - R_m) c
+ *
+ * so that c is where it belongs at both ends. At the part s of the time a point p is truly at x(s).
+ * On its chord it would be at
+ *
+ *     (1 - s) (R_0 p + t_0) + s (R_1 p + t_1)
+ *
+ * which is no farther away than sepax__chain_bend. In the piece it is at
+ *
+ *     (1 - s) (R_m p + o_0) + s (R_m p + o_1)
+ *
  * The last two differ by (1 - s) (R_0 - R_m) (p - c) + s (R_1 - R_m) (p - c), which is no longer
  * than the longer of the two vectors (R_k - R_m) (p - c). Each is an affine function of p, so it is
  * longest in a corner of the box. The poses at the three times are rounded by less than the part of

@@ -42,11 +42,13 @@ static inline void sweep_point(const sweep *s, const double p[3], double q[3]) {
 typedef enum { SWEEP_OUTSIDE, SWEEP_BORDER, SWEEP_INSIDE } sweep_side;
 
 /* Where is the cube with the middle q, in the frame, and the half side `half`, which is aligned
- * with the axes of the stock? With half = 0: where is the point? OUTSIDE  the cube has no point of
- * the sweep, nor has any of the same size whose middle is less than *reach away INSIDE   the sweep,
- * made larger by the cube, holds q and all points less than *reach away, all at one time of the
- * way: with half = 0 a ball around q lies in the sweep BORDER   neither is known; *reach is 0 Sure
- * is what the sign of `sure` promises. The other answer is right but for the rounding. */
+ * with the axes of the stock? With half = 0: where is the point?
+ *   - OUTSIDE: the cube has no point of the sweep, nor has any cube of the same size whose middle
+ * is less than *reach away.
+ *   - INSIDE: the sweep, made larger by the cube, holds q and all points less than *reach away, all
+ *     at one time of the way. With half = 0 a ball around q lies in the sweep.
+ *   - BORDER: neither is known; *reach is 0.
+ * Sure is what the sign of `sure` promises. The other answer is right but for the rounding. */
 sweep_side sepax__sweep_locate(const sweep *s, const double q[3], double half, double *reach);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* joints.c - pieces of linear joint motion: is the tool where they say? Against places in long
  * double. */
+#include "mechanism/steps.h"
 #include "stock/stock.h"
 #include "unit/mechanism/places.h"
 
@@ -110,6 +111,50 @@ CASE(no_point_is_farther_than_the_deviation) {
     free_motion(w);
   }
   assert_true(tightest > 0.9); /* it is no mere sum of all ways */
+}
+
+/* The farthest that a corner of the box is from its chord. */
+static double off_chord(const motion *w) {
+  const place end[2] = {seen(w, 0), seen(w, 1)};
+  long double most = 0;
+  for (int step = 1; step < STEPS; step++) {
+    long double part = (long double)step / STEPS;
+    place at = seen(w, part);
+    for (int n = 0; n < 8; n++) {
+      long double v[3];
+      long double p[3][3];
+      long double square = 0;
+      for (int i = 0; i < 3; i++) {
+        v[i] = w->way.box[n >> i & 1][i];
+      }
+      turn(end[0].q, v, p[0]);
+      turn(end[1].q, v, p[1]);
+      turn(at.q, v, p[2]);
+      for (int i = 0; i < 3; i++) {
+        long double chord = (1 - part) * (p[0][i] + end[0].t[i]) + part * (p[1][i] + end[1].t[i]);
+        square += (p[2][i] + at.t[i] - chord) * (p[2][i] + at.t[i] - chord);
+      }
+      most = fmaxl(most, sqrtl(square));
+    }
+  }
+  return (double)most;
+}
+
+CASE(no_point_is_farther_from_its_chord_than_the_bend) {
+  double tightest = 0;
+  for (int n = 0; n < FEWER(3000); n++) {
+    motion *w = draw_motion(n % 2 == 0 ? 1 : 0.1);
+    double middle[JOINTS_MOST];
+    for (size_t k = 0; k < w->m.joints; k++) {
+      middle[k] = w->from[k] / 2 + w->to[k] / 2;
+    }
+    double bend = sepax__chain_bend(&w->chain, &w->m, w->from, middle, w->to, w->way.box);
+    double farthest = off_chord(w);
+    assert_true(farthest <= bend);
+    tightest = farthest > 1e-6 ? fmax(tightest, farthest / bend) : tightest;
+    free_motion(w);
+  }
+  assert_true(tightest > 0.9); /* one joint turns the box around its axis */
 }
 
 CASE(ways_without_turning_are_one_piece) {
