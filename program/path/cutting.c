@@ -22,8 +22,8 @@
 /* A part of a motion that cuts is at most this long, in metres: the shank follows the flutes. */
 static const double part_most = 1e-3;
 
-/* Arcs of profiles are polygons that are no farther from them. */
-static const double arc_error = 2e-6;
+/* Arcs of profiles are polygons that are no farther from them than this part of a cell. */
+static const double arc_error = 0x1p-8;
 
 typedef struct {
   path_scene *scene;
@@ -122,8 +122,8 @@ static bool begin(cutting *c, sepax_error *error) {
   }
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
-    if (b->role != NULL &&
-        !path_cutter_make(&c->cutter[n], b->turned, b->turned_part, arc_error, error)) {
+    if (b->role != NULL && !path_cutter_make(&c->cutter[n], b->turned, b->turned_part,
+                                             arc_error * scene->stock.cell, error)) {
       return false;
     }
   }
@@ -221,9 +221,9 @@ static bool judge(cutting *c, const path_pair *pair, const sepax__stock_way *way
   double clearance = path_bands(c->q, pair).clearance.length;
   double at[3];
   bool hit = false;
-  if ((c->inner != NULL && !sepax__stock_hit(c->inner, shapes->inside, shapes->count, way,
-                                             tolerance_of(c), &hit, at, error)) ||
-      !sepax__stock_depth(c->outer, shapes->outside, shapes->count, way,
+  if ((c->inner != NULL && !sepax__stock_hit(c->inner, shapes->inside.shape, shapes->inside.count,
+                                             way, tolerance_of(c), &hit, at, error)) ||
+      !sepax__stock_depth(c->outer, shapes->outside.shape, shapes->outside.count, way,
                           tolerance_of(c) + clearance, c->depth, error)) {
     return false;
   }
@@ -246,7 +246,8 @@ static bool replay(cutting *c, sepax__stock *stock, double from, sepax_error *er
     const path_pair *flutes = c->of[NC_FLUTES];
     const path_cutter *shapes = cutter_of(c, flutes);
     sepax__stock_way way = way_of(c, flutes, 0, to);
-    ok = sepax__stock_cut(stock, shapes->inside, shapes->count, &way, tolerance_of(c), error);
+    ok = sepax__stock_cut(stock, shapes->inside.shape, shapes->inside.count, &way, tolerance_of(c),
+                          error);
   }
   c->line = line;
   find_pairs(c);
@@ -284,14 +285,14 @@ static bool look_closer(cutting *c, path_pair *pair, double from, double to, dou
   }
   c->looks++;
   sepax__stock_way way = way_of(c, pair, from, to);
-  bool ok = sepax__stock_test(c->outer, shapes->outside, shapes->count, &way, shrink, tolerance,
-                              true, &found, error) &&
+  bool ok = sepax__stock_test(c->outer, shapes->outside.shape, shapes->outside.count, &way, shrink,
+                              tolerance, true, &found, error) &&
             make_close(c, &close, (const double(*)[3])found.box, error);
   if (ok && close != NULL) {
     ok = replay(c, close, from, error);
     way = way_of(c, pair, from, to);
-    ok = ok && sepax__stock_test(close, shapes->outside, shapes->count, &way, shrink, tolerance,
-                                 false, &found, error);
+    ok = ok && sepax__stock_test(close, shapes->outside.shape, shapes->outside.count, &way, shrink,
+                                 tolerance, false, &found, error);
     *is_free = ok && found.free;
   }
   sepax__stock_free(close);
@@ -309,7 +310,7 @@ static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_er
   const path_cutter *shapes = cutter_of(c, pair);
   sepax__stock_way way = way_of(c, pair, from, to);
   double clearance = path_bands(c->q, pair).clearance.length;
-  if (!sepax__stock_test(c->outer, shapes->outside, shapes->count, &way,
+  if (!sepax__stock_test(c->outer, shapes->outside.shape, shapes->outside.count, &way,
                          holder ? 0 : c->scene->stock.depth, tolerance_of(c) + clearance, false,
                          &found, error)) {
     return false;
@@ -340,9 +341,11 @@ static bool cut(cutting *c, double from, double to, sepax_error *error) {
   const path_pair *flutes = c->of[NC_FLUTES];
   const path_cutter *shapes = cutter_of(c, flutes);
   sepax__stock_way way = way_of(c, flutes, from, to);
-  return sepax__stock_cut(c->outer, shapes->inside, shapes->count, &way, tolerance_of(c), error) &&
+  return sepax__stock_cut(c->outer, shapes->inside.shape, shapes->inside.count, &way,
+                          tolerance_of(c), error) &&
          (c->inner == NULL ||
-          sepax__stock_cut(c->inner, shapes->outside, shapes->count, &way, tolerance_of(c), error));
+          sepax__stock_cut(c->inner, shapes->outside.shape, shapes->outside.count, &way,
+                           tolerance_of(c), error));
 }
 
 /* The number of parts of a motion that cuts: no point of the tool goes farther than part_most, or
