@@ -100,9 +100,9 @@ static inline nc_jet nc_jet_subtract(nc_jet a, nc_jet b) {
 
 /* (a b)'' = a'' b + 2 a' b' + a b''. */
 static inline nc_jet nc_jet_times(nc_jet a, nc_jet b) {
-  nc_interval cross = nc_times(a.d, b.d);
+  nc_interval both = nc_times(a.d, b.d);
   return (nc_jet){nc_times(a.v, b.v), nc_add(nc_times(a.d, b.v), nc_times(a.v, b.d)),
-                  nc_add(nc_add(nc_times(a.dd, b.v), nc_times(a.v, b.dd)), nc_add(cross, cross))};
+                  nc_add(nc_add(nc_times(a.dd, b.v), nc_times(a.v, b.dd)), nc_add(both, both))};
 }
 
 static inline nc_jet nc_jet_scale(nc_jet a, nc_interval by) {

@@ -15,16 +15,16 @@ enum { ARGUMENTS_MOST = 16, NOT_STARTED = 127 };
 /* In the child: becomes python3. -I keeps the user's own modules out, -B writes no files. */
 static _Noreturn void become(const char *program, const char *const *arguments, int out,
                              int errors) {
-  const char *words[ARGUMENTS_MOST + 5] = {"python3", "-I", "-B", "-c", program};
+  char *words[ARGUMENTS_MOST + 5] = {"python3", "-I", "-B", "-c", (char *)program};
   int count = 5;
   for (; *arguments != NULL && count < ARGUMENTS_MOST + 4; arguments++) {
-    words[count++] = *arguments;
+    words[count++] = (char *)*arguments;
   }
   words[count] = NULL;
   if (dup2(out, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0) {
     /* The modules of Debian's packages belong to Debian's Python. */
-    execv("/usr/bin/python3", (char *const *)(uintptr_t)words);
-    execvp(words[0], (char *const *)(uintptr_t)words);
+    execv("/usr/bin/python3", words);
+    execvp(words[0], words);
   }
   _exit(NOT_STARTED);
 }

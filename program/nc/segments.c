@@ -35,7 +35,7 @@ static const nc_kinematics *in_force(const walk *w) { return &w->rows.state[w->r
  * it is NULL. */
 static place place_of(const walk *w, const nc_jet axis[NC_AXES], const double *given) {
   nc_jet joint[NC_JOINTS_MOST];
-  place p;
+  place p = {.value = {0}};
   nc_kinematics_joints(in_force(w), axis, joint);
   for (size_t n = 0; n < w->rows.motion->joints; n++) {
     p.value[n] = given != NULL ? given[n] : nc_middle(joint[n].v);

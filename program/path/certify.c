@@ -474,13 +474,14 @@ static bool begin_pair(asking *a, work *all, path_pair *pair, sepax_error *error
                 .body = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]},
                 .left = all->q->intervals + A_SEGMENT * (scene->motion.lines - 1),
                 .behind = ALL_BEHIND};
-  a->value[0] = malloc(3 * (joints + 1) * sizeof *a->value[0]);
+  double *values = malloc(3 * (joints + 1) * sizeof *values);
+  a->value[0] = values;
   a->queue = malloc(QUEUE * sizeof *a->queue);
-  if (a->value[0] == NULL || a->queue == NULL) {
+  if (values == NULL || a->queue == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints);
   }
   for (int k = 0; k < 3; k++) {
-    a->value[k] = a->value[0] + (size_t)k * joints;
+    a->value[k] = values + (size_t)k * joints;
     a->extent += fabs(a->body[0]->least[k]) + fabs(a->body[0]->most[k]) +
                  fabs(a->body[1]->least[k]) + fabs(a->body[1]->most[k]);
   }

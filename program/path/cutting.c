@@ -110,8 +110,6 @@ static bool begin(cutting *c, sepax_error *error) {
   for (int k = 0; k < 3; k++) {
     c->joints.value[k] = c->value + (size_t)k * joints;
   }
-  c->joints.from = c->value + 3 * joints;
-  c->joints.to = c->value + 4 * joints;
   c->joints.mechanism = &scene->robot.mechanism;
   c->joints.mount = (sepax_pose){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
   const path_body *stock = &scene->body[scene->stock.body];
@@ -180,6 +178,8 @@ static sepax__stock_way way_of(cutting *c, const path_pair *pair, double from, d
     ends[1][n] = to == 1 ? b[n] : a[n] + (b[n] - a[n]) * to;
   }
   const path_body *body = body_of(c, pair);
+  c->joints.from = ends[0];
+  c->joints.to = ends[1];
   c->joints.chain = &pair->chain;
   memcpy(c->joints.box[0], body->least, sizeof c->joints.box[0]);
   memcpy(c->joints.box[1], body->most, sizeof c->joints.box[1]);

@@ -54,7 +54,8 @@ bool path_rules_apply(path_scene *scene, const char *path, sepax_error *error) {
 }
 
 report_bands path_bands(const path_question *q, const path_pair *pair) {
-  return pair->bare ? (report_bands){.unit = q->bands.unit} : q->bands;
+  const report_bands none = {.unit = q->bands.unit};
+  return pair->bare ? none : q->bands;
 }
 
 /* ----------------------------------------------------------------------- motions */

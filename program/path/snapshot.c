@@ -84,7 +84,7 @@ static bool take_samples(samples *s, const sepax__stock *stock) {
   for (int i = 0; i < 3; i++) {
     s->count[i] = (size_t)ceil((facts.box[1][i] - facts.box[0][i]) / s->cell);
   }
-  s->is_there = malloc(s->count[0] * s->count[1] * s->count[2]);
+  s->is_there = calloc(s->count[0] * s->count[1], s->count[2]);
   if (s->is_there == NULL) {
     return false;
   }

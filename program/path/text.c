@@ -437,7 +437,6 @@ static void print_steps(const format_motion *motion) {
 
 /* What is taken for granted of an NC program. */
 static void print_program(const path_scene *scene, const path_question *q) {
-  char place[PATH_PLACE];
   printf("start  %s%s\n",
          q->start != NULL ? "the axes are at "
                           : "the machine is at home when the program starts; --start gives another "
@@ -446,6 +445,7 @@ static void print_program(const path_scene *scene, const path_question *q) {
   size_t first = 0;
   size_t corners = path_unbounded_corners(scene, &first);
   if (corners > 0) {
+    char place[PATH_PLACE];
     printf("blend  %zu motions without a bound of blending (G64 without P), first %s: %s\n",
            corners, path_place(&scene->motion, first, place),
            q->blended ? "the deviations count it"

@@ -105,8 +105,8 @@ static void turn_back(wide v[3], int about, wide degrees) { rotate(v, about, -de
 /* From joints back to axes, by reversing each step. */
 static void axes_of(const mill *m, const wide joint[3], wide axis[NC_AXES]) {
   int tilt = m->module == 'A' ? 0 : 1;
-  wide d[3] = {tilt == 1 ? m->offset[0] : 0, tilt == 0 ? m->offset[1] : 0,
-               (wide)m->offset[2] + m->tool};
+  const wide d[3] = {tilt == 1 ? m->offset[0] : 0, tilt == 0 ? m->offset[1] : 0,
+                     (wide)m->offset[2] + m->tool};
   for (int i = 0; i < 3; i++) {
     axis[i] = joint[i] - d[i] - m->point[i];
   }

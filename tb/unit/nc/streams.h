@@ -90,14 +90,14 @@ static inline void rotate(wide v[3], int about, wide degrees) {
 
 /* X, Y, Z of the joints in mm, from axes in mm and degrees. */
 static inline void wide_joints(const mill *m, const wide axis[NC_AXES], wide joint[3]) {
-  wide tool[3] = {0, 0, -(m->pivot + axis[NC_W])};
   int tilt = m->module == 'A' ? 0 : 1;
-  wide d[3] = {tilt == 1 ? m->offset[0] : 0, tilt == 0 ? m->offset[1] : 0,
-               (wide)m->offset[2] + m->tool};
+  const wide d[3] = {tilt == 1 ? m->offset[0] : 0, tilt == 0 ? m->offset[1] : 0,
+                     (wide)m->offset[2] + m->tool};
   for (int i = 0; i < 3; i++) {
     joint[i] = axis[i];
   }
   if (m->module == 'M') {
+    wide tool[3] = {0, 0, -(m->pivot + axis[NC_W])};
     /* The tool hangs from the pivot and is turned by -B and C. */
     rotate(tool, 1, -axis[NC_B]);
     rotate(tool, 2, axis[NC_C]);
