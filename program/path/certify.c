@@ -478,7 +478,8 @@ static bool begin_pair(asking *a, work *all, path_pair *pair, sepax_error *error
   a->value[0] = values;
   a->queue = malloc(QUEUE * sizeof *a->queue);
   if (values == NULL || a->queue == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", joints);
+    return false;
   }
   for (int k = 0; k < 3; k++) {
     a->value[k] = values + (size_t)k * joints;

@@ -105,7 +105,8 @@ static bool begin(cutting *c, sepax_error *error) {
   c->value = calloc(5 * joints, sizeof *c->value);
   c->cutter = calloc(scene->bodies, sizeof *c->cutter);
   if (c->value == NULL || c->cutter == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the stock");
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the stock");
+    return false;
   }
   for (int k = 0; k < 3; k++) {
     c->joints.value[k] = c->value + (size_t)k * joints;
