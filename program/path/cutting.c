@@ -34,6 +34,7 @@ typedef struct {
   sepax__stock_joints joints;
   double *value; /* memory of `joints`, and of the ends of a part of a motion */
   size_t line;   /* the motion ends in this line */
+  bool alone;    /* no motion ends or begins in the line; its pose is tested */
   /* Of the part of a tool at hand: what was found, and how deep it is. */
   report_verdict found;
   double depth[2];
@@ -171,8 +172,8 @@ static const path_cutter *cutter_of(const cutting *c, const path_pair *pair) {
 /* Go from the part `from` of the motion to `to`, with one part of the tool. */
 static sepax__stock_way way_of(cutting *c, const path_pair *pair, double from, double to) {
   const format_motion *motion = &c->scene->motion;
-  const double *a = &motion->value[(c->line - 1) * motion->joints];
-  const double *b = a + motion->joints;
+  const double *b = &motion->value[c->line * motion->joints];
+  const double *a = c->alone ? b : b - motion->joints;
   double *ends[2] = {c->value + 3 * (motion->joints + 1), c->value + 4 * (motion->joints + 1)};
   for (size_t n = 0; n < motion->joints; n++) {
     ends[0][n] = from == 0 ? a[n] : a[n] + (b[n] - a[n]) * from;
@@ -195,7 +196,7 @@ static bool spins(const cutting *c) {
 
 static bool cuts(const cutting *c) {
   const path_pair *flutes = c->of[NC_FLUTES];
-  return flutes != NULL && c->scene->motion.step[c->line].kind == FORMAT_FEED && spins(c) &&
+  return flutes != NULL && !c->alone && c->scene->motion.step[c->line].kind == FORMAT_FEED && spins(c) &&
          body_of(c, flutes)->turned->kind != NC_TOOL_PROBE;
 }
 
@@ -237,7 +238,9 @@ static bool judge(cutting *c, const path_pair *pair, const sepax__stock_way *way
 /* Cut a stock by all that the path has cut before the part `from` of the motion at hand. */
 static bool replay(cutting *c, sepax__stock *stock, double from, sepax_error *error) {
   size_t line = c->line;
+  bool alone = c->alone;
   bool ok = true;
+  c->alone = false;
   for (c->line = 1; c->line <= line && ok; c->line++) {
     double to = c->line < line ? 1 : from;
     if (!format_motion_goes_on(&c->scene->motion, c->line - 1) || !find_pairs(c) || !cuts(c) ||
@@ -251,6 +254,7 @@ static bool replay(cutting *c, sepax__stock *stock, double from, sepax_error *er
                           error);
   }
   c->line = line;
+  c->alone = alone;
   find_pairs(c);
   return ok;
 }
@@ -317,7 +321,7 @@ static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_er
     return false;
   }
   bool is_free = found.free;
-  if (!is_free && holder &&
+  if (!is_free && holder && !c->alone &&
       !path_certify_segment(c->scene, c->q, pair, c->line - 1, &is_free, error)) {
     return false;
   }
@@ -391,8 +395,10 @@ static bool go(cutting *c, sepax_error *error) {
 /* Count the verdicts of a pair. */
 static void count(const path_scene *scene, path_pair *pair) {
   pair->lines_asked = 0;
-  for (size_t n = 1; n < scene->motion.lines; n++) {
-    if (!format_motion_goes_on(&scene->motion, n - 1) || scene->motion.step[n].tool != pair->tool) {
+  for (size_t n = 0; n < scene->motion.lines; n++) {
+    bool ends = n > 0 && format_motion_goes_on(&scene->motion, n - 1);
+    bool alone = !ends && !format_motion_goes_on(&scene->motion, n);
+    if ((!ends && !alone) || scene->motion.step[n].tool != pair->tool) {
       continue;
     }
     int v = pair->verdict[n];
@@ -446,11 +452,13 @@ static bool run(cutting *c, sepax_error *error) {
       ok = pair->verdict != NULL || sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for verdicts");
     }
   }
-  for (c->line = 1; c->line < scene->motion.lines && ok; c->line++) {
+  for (c->line = 0; c->line < scene->motion.lines && ok; c->line++) {
+    bool ends = c->line > 0 && format_motion_goes_on(&scene->motion, c->line - 1);
+    c->alone = !ends && !format_motion_goes_on(&scene->motion, c->line);
     ok = c->q->page == NULL || !path_snapshot_due(scene, c->line) ||
          path_snapshot_take(scene, c->outer, c->line, error);
     ok = ok &&
-         (!format_motion_goes_on(&scene->motion, c->line - 1) || !find_pairs(c) || go(c, error));
+         ((!ends && !c->alone) || !find_pairs(c) || go(c, error));
     cli_progress_show(&progress, c->line);
   }
   for (size_t n = 0; n < scene->pairs && ok; n++) {

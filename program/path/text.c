@@ -428,6 +428,7 @@ static void print_steps(const format_motion *motion) {
   if (breaks > 0) {
     fputs(", ", stdout);
     report_print_count(breaks, "break");
+    fputs(" with a way there that is not known and not checked", stdout);
   }
   if (deviation > 0) {
     printf("; deviations of at most %.6g mm", mm_of(deviation));
