@@ -201,7 +201,9 @@ static bool cuts(const cutting *c) {
 }
 
 /* How far the tool may be from the linear motion of the joints. */
-static double tolerance_of(const cutting *c) { return c->scene->motion.step[c->line].deviation; }
+static double tolerance_of(const cutting *c) {
+  return c->alone ? 0 : c->scene->motion.step[c->line].deviation;
+}
 
 /* Keep what was found of a pair in this motion. */
 static void note(cutting *c, path_pair *pair, report_verdict verdict, const double depth[2]) {
