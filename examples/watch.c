@@ -30,12 +30,16 @@ int main(int argc, char **argv) {
     return fail(error.text);
   }
   const size_t joints = robot.robot.mechanism.joints;
-  for (size_t n = 0; n < joints && n < JOINTS_MOST; n++) {
-    travel[n] = atof(argv[4]);
+  if (joints == 0 || joints > JOINTS_MOST) {
+    return fail("needs a robot of 1 to 64 joints");
   }
+  for (size_t k = 0; k < joints; k++) {
+    travel[k] = atof(argv[4]);
+  }
+  size_t n = 0;
   const sepax_machine_query query = {
       .size = sizeof query, .clearance = atof(argv[3]), .travel = travel, .work = 1000};
-  for (size_t n = 0; joints > 0 && joints <= JOINTS_MOST && scanf("%lf", &value[n]) == 1;) {
+  while (scanf("%lf", &value[n]) == 1) {
     n = (n + 1) % joints;
     if (n == 0) { /* from here on no memory is taken */
       if (!sepax_watch_ask(watch, value, &query, &answer, &error)) {
@@ -53,5 +57,5 @@ int main(int argc, char **argv) {
   }
   sepax_watch_free(watch);
   sepax_robot_machine_free(&robot);
-  return 0;
+  return feof(stdin) && n == 0 ? 0 : fail("the input has no number, or a line is cut"); /* stop */
 }

@@ -365,7 +365,8 @@ typedef struct {
   int threads; /* number of threads at most; 0: one for each processor */
 } sepax_build;
 
-/* Make a body from a mesh. The body copies the mesh and takes about 280 bytes for each triangle.
+/* Make a body from a mesh. The body copies the mesh and takes 230 to 310 bytes for each triangle,
+ * and up to 410 while it is made.
  * The body does not depend on the number of threads. Errors: ARGUMENT if the mesh has no triangles,
  * if an index is beyond the vertices, or if a coordinate is NaN or not within 2^1000 (the text
  * of *error names the triangle); LIMIT on more than 2^31 - 2 triangles; MEMORY. */
@@ -413,8 +414,10 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
 /* Searches for distances count their work in units: 1 for each comparison of two boxes of the
  * trees, or of a box with eight boxes; 1 for each estimate of the distance of two triangles; 50 for
  * each exact test of two triangles. The units of a query depend only on its arguments and on the
- * instruction set, never on a clock. A unit takes 0.05 to 0.15 microseconds on a processor of 2020.
- * A search ends at the latest 500 units after its limit, because it completes its step. */
+ * instruction set, except that a limit in seconds ends it by the clock, and that a front depends on
+ * its earlier queries. A unit takes 0.05 to 0.15 microseconds on a processor of 2020. A search ends
+ * at the latest 600 units after its limit, because it completes its step. A query with a front also
+ * takes a unit for each 64 entries of the front, whatever the limit is. */
 
 /* The distance of two bodies and where it is found: least <= distance <= most. Both bounds are
  * certain for the doubles given. */
@@ -439,16 +442,17 @@ typedef struct {
 typedef struct {
   size_t size;
   double limit; /* report a longer distance as infinite, which is faster; 0: no limit. Then `least`
-                   is the limit or more, unless a limit of work or time ended the search */
+                   is the limit, unless a limit of work or time ended the search */
   /* The tolerance, 0 <= relative < 1 and absolute >= 0: the search ends when most - least is at
    * most `relative` times most, or at most `absolute`. A tolerance saves time where many triangles
-   * are nearly equally far, and 1e-12 costs hardly more than 1e-6. If both numbers are 0, then
-   * min_distance is the distance of the bodies, right to one unit in the last place. */
+   * are nearly equally far, and 1e-12 costs hardly more than 1e-6. An interval is never
+   * narrower than one unit in the last place of `most`. If both numbers are 0, then min_distance is
+   * the distance of the bodies, right to one unit in the last place. */
   double relative, absolute;
   /* A result for the same bodies in similar poses. The search begins at the triangles of that
    * result and is faster. A result of other bodies is an error if the bodies of the request do
    * not have its triangles. Otherwise such a result costs time, but does not change the interval
-   * by more than the tolerance. NULL: none. */
+   * by more than the tolerance. NULL, or a result without triangles: none. */
   const sepax_distance_result *last;
   uint64_t work;  /* end after so many units of work; 0: no limit */
   double seconds; /* end after this time; 0: no limit */
@@ -465,7 +469,7 @@ bool sepax_bodies_distance(const sepax_body *a, const sepax_pose *pose_a, const 
                            sepax_distance_result *result, sepax_error *error);
 
 typedef enum {
-  SEPAX_UNDECIDED, /* a limit of work ended the search */
+  SEPAX_UNDECIDED, /* a limit of work ended the search, or positions within a travel differ */
   SEPAX_APART,     /* the bodies are farther apart than the distance asked for */
   SEPAX_NEAR       /* two triangles are at most that distance apart */
 } sepax_nearness;
@@ -484,10 +488,11 @@ typedef struct sepax_front sepax_front;
  * that take up to 20 microseconds. */
 size_t sepax_front_bytes(size_t entries);
 
-/* Make an empty front in the memory. The front uses as many entries as the bytes hold. If a search
- * makes more entries, then the front becomes empty and the answer is right all the same. The caller
- * releases the memory after the last query with the front. Cost: all the memory is written. Error:
- * ARGUMENT if the memory is NULL or has less than sepax_front_bytes(0) bytes. */
+/* Make an empty front in the memory. The front uses as many entries as the bytes hold, in steps
+ * of 8. If a search makes more entries, then the front becomes empty and the answer is right all
+ * the same. The caller releases the memory after the last query with the front. Cost: all the
+ * memory is written. Error: ARGUMENT if the memory is NULL or has less than sepax_front_bytes(0)
+ * bytes. */
 bool sepax_front_begin(sepax_front **front, void *memory, size_t bytes, sepax_error *error);
 
 /* Options of sepax_bodies_apart. By default there are no limits. */
@@ -512,8 +517,8 @@ typedef struct {
 } sepax_apart_result;
 
 /* Are two bodies, each in its pose, farther apart than `distance`, a number in 0 ... 2^1000? The
- * verdict is exact for the doubles given. Use it where a verdict is needed in bounded time and the
- * distance itself is not. A distance of 0 asks for a collision. Real time: the call neither
+ * verdict is exact for the doubles given. Use it where a verdict is needed and the distance itself
+ * is not; `work` bounds its time. A distance of 0 asks for a collision. Real time: the call neither
  * allocates, nor locks, nor reads a clock. Cost: 0.5 to 2 microseconds for most poses. Errors:
  * ARGUMENT if a pose is not valid or the distance is out of range. */
 bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sepax_body *b,

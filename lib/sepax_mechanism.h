@@ -73,7 +73,7 @@ typedef struct {
  *   - `root` and `order` are set.
  *   - Each axis becomes a unit vector.
  *   - The rotation of each origin, which must be valid (sepax_pose_valid), becomes orthonormal up
- * to rounding.
+ *     to rounding.
  *   - If a joint follows a second joint that follows a third one, then the first joint now follows
  *     the third one, with the factor and offset of both steps. So `mimic` always names a joint that
  *     follows no other.
@@ -204,8 +204,10 @@ typedef struct {
   size_t triangle[2]; /* if NEAR: a triangle of each body of that pair; any two that are near */
   /* If the query measures: the least clearance is the least distance of any pair in any of the
    * positions that were asked for. least <= least clearance <= most, and both bounds are certain.
-   * Without travel the interval is as wide as the tolerance allows, unless the work ended. `most`
-   * is infinite if no pair was measured. If the query does not measure, then both are 0. */
+   * Without travel the interval is at most as wide as the tolerance allows, unless the work
+   * ended. If the lengths between two bodies are below 2^-400 or above 2^450 in all, then travel
+   * proves nothing of them. `most` is infinite if no pair was measured. If the query does not
+   * measure, then both are 0. */
   double least, most;
   size_t nearest; /* the pair that has a distance of at most `most`; SEPAX_NO_PAIR if no pair was
                      measured */

@@ -230,9 +230,10 @@ static bool check(const sepax_machine_query *q, sepax_error *error) {
                       "the clearance %g is not within 0 ... 2^1000; give one that is",
                       q->clearance);
   }
-  return (q->relative >= 0 && q->absolute >= 0) ||
+  return (q->relative >= 0 && q->relative < 1 && q->absolute >= 0 && isfinite(q->absolute)) ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                    "a tolerance is negative or no number; give 0 or more");
+                    "a tolerance of %g of the distance or %g; give 0 ... 1 and 0 or more",
+                    q->relative, q->absolute);
 }
 
 bool sepax_watch_ask(sepax_watch *watch, const double *value, const sepax_machine_query *query,

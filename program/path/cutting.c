@@ -196,8 +196,8 @@ static bool spins(const cutting *c) {
 
 static bool cuts(const cutting *c) {
   const path_pair *flutes = c->of[NC_FLUTES];
-  return flutes != NULL && !c->alone && c->scene->motion.step[c->line].kind == FORMAT_FEED && spins(c) &&
-         body_of(c, flutes)->turned->kind != NC_TOOL_PROBE;
+  return flutes != NULL && !c->alone && c->scene->motion.step[c->line].kind == FORMAT_FEED &&
+         spins(c) && body_of(c, flutes)->turned->kind != NC_TOOL_PROBE;
 }
 
 /* How far the tool may be from the linear motion of the joints. */
@@ -459,8 +459,7 @@ static bool run(cutting *c, sepax_error *error) {
     c->alone = !ends && !format_motion_goes_on(&scene->motion, c->line);
     ok = c->q->page == NULL || !path_snapshot_due(scene, c->line) ||
          path_snapshot_take(scene, c->outer, c->line, error);
-    ok = ok &&
-         ((!ends && !c->alone) || !find_pairs(c) || go(c, error));
+    ok = ok && ((!ends && !c->alone) || !find_pairs(c) || go(c, error));
     cli_progress_show(&progress, c->line);
   }
   for (size_t n = 0; n < scene->pairs && ok; n++) {

@@ -609,6 +609,12 @@ CASE(refused_queries) {
     assert_fault(sepax_watch_ask(r.watch, r.value, &query, &answer, &fault), "clearance");
     query = (sepax_machine_query){.size = sizeof query, .relative = -1};
     assert_fault(sepax_watch_ask(r.watch, r.value, &query, &answer, &fault), "tolerance");
+    query.relative = 1; /* also if nothing is measured */
+    assert_fault(sepax_watch_ask(r.watch, r.value, &query, &answer, &fault), "tolerance of 1");
+    query.relative = 0;
+    query.absolute = INFINITY;
+    assert_fault(sepax_watch_ask(r.watch, r.value, &query, &answer, &fault), "tolerance of 0");
+    query.absolute = 0;
     if (driven != SIZE_MAX) {
       static const double bad[] = {NAN, INFINITY, -INFINITY};
       double kept = r.value[driven];
