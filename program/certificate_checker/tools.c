@@ -46,8 +46,9 @@ static void print_body(const robot_link *link, const char *held_by) {
     for (int k = 0; k < 3; k++)
       radius = fmax(radius, hypot(s->triangle[n].at[k].x, s->triangle[n].at[k].y));
   }
-  printf("%s, on %s with tool %s: radius %.6g m, z %.6g ... %.6g m, as the certificate says\n",
-         link->name, held_by, link->tool, radius, s->low.z, s->high.z);
+  printf("%s (%s), on %s with tool %s: radius %.6g m, z %.6g ... %.6g m; taken from the "
+         "certificate, not checked\n",
+         link->name, link->role, held_by, link->tool, radius, s->low.z, s->high.z);
 }
 
 static void add(robot *r, const certificate *c, const json_t *body, int held_by) {

@@ -11,6 +11,7 @@
 #include "path/cutting.h"
 #include "path/certify.h"
 #include "path/cutter.h"
+#include "path/line.h"
 #include "path/snapshot.h"
 #include "util/error.h"
 #include "util/write_file.h"
@@ -21,6 +22,8 @@
 
 /* A part of a motion that cuts is at most this long, in metres: the shank follows the flutes. */
 static const double part_most = 1e-3;
+
+enum { CELLS_MOST = 1500 };
 
 /* Arcs of profiles are polygons that are no farther from them than this part of a cell. */
 static const double arc_error = 0x1p-8;
@@ -46,6 +49,17 @@ enum { LOOKS_MOST = 200, CLOSE_MOST = 200 };
 
 /* ------------------------------------------------------------------------- choices */
 
+/* A tenth of the smallest radius, or 0.2 mm; but no more than CELLS_MOST cells along the stock, as
+ * long as the default depth suits the tool. */
+static double default_cell(const path_body *stock, double radius) {
+  double longest = 0;
+  for (int i = 0; i < 3; i++) {
+    longest = fmax(longest, stock->most[i] - stock->least[i]);
+  }
+  double cell = fmin(2e-4, radius / 10);
+  return fmin(fmax(cell, longest / CELLS_MOST), radius / 5);
+}
+
 bool path_cutting_begin(path_scene *scene, const path_question *q, sepax_error *error) {
   double least = INFINITY;
   for (size_t n = 0; n < scene->pairs; n++) {
@@ -61,8 +75,14 @@ bool path_cutting_begin(path_scene *scene, const path_question *q, sepax_error *
       least = fmin(least, tool->turned->diameter / 2 * 1e-3);
     }
   }
+  if (isinf(least)) {
+    return q->left == NULL ||
+           sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "left: no tool with flutes is in the spindle on the path, so nothing of the "
+                      "stock is cut; leave --left out");
+  }
   path_stock *s = &scene->stock;
-  s->cell = q->cell.length > 0 ? q->cell.length : fmin(2e-4, least / 10);
+  s->cell = q->cell.length > 0 ? q->cell.length : default_cell(&scene->body[s->body], least);
   s->depth = q->depth.text != NULL ? q->depth.length : 2 * s->cell;
   if (!(s->depth < least / 2)) {
     return sepax_fail(
@@ -83,11 +103,12 @@ static bool read_first(cutting *c, sepax_error *error) {
     return false;
   }
   sepax__stock_facts facts = sepax__stock_look(c->outer);
-  if (facts.bound != SEPAX__STOCK_OUTER || facts.cell != s->cell) {
+  if (facts.bound != SEPAX__STOCK_OUTER || fabs(facts.cell - s->cell) > 1e-9 * s->cell) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%.300s: has cells of %.6g mm, not of %.6g mm; give --cells=%.17gm",
-                      c->q->first, facts.cell * 1e3, s->cell * 1e3, facts.cell);
+                      "%.300s: has cells of %.9g mm, not of %.9g mm; give --cells=%.9gmm",
+                      c->q->first, facts.cell * 1e3, s->cell * 1e3, facts.cell * 1e3);
   }
+  s->cell = facts.cell;
   return true;
 }
 
@@ -98,6 +119,23 @@ static bool fill(cutting *c, sepax__stock **stock, sepax__stock_bound bound, sep
   memcpy(box[1], b->most, sizeof box[1]);
   return sepax__stock_new(stock, bound, box, c->scene->stock.cell, error) &&
          sepax__stock_fill_mesh(*stock, &b->mesh, error);
+}
+
+/* Flutes and shanks must be thicker than four times the depth. */
+static bool suits_depth(const cutting *c, size_t body, sepax_error *error) {
+  const path_body *b = &c->scene->body[body];
+  const sepax__stock_shapes *shapes = &c->cutter[body].outside;
+  double depth = c->scene->stock.depth;
+  for (size_t n = 0; n < shapes->count && b->turned_part != NC_HOLDER; n++) {
+    if (!(depth < shapes->shape[n].radius / 2)) {
+      return sepax_fail(
+          error, SEPAX_ERROR_ARGUMENT,
+          "depth: %.6g mm is half of the radius of %.60s, %.6g mm, or more, so nothing "
+          "would be proved; give smaller --cells or a smaller --depth",
+          depth * 1e3, path_body_name(c->scene, body), shapes->shape[n].radius * 1e3);
+    }
+  }
+  return true;
 }
 
 static bool begin(cutting *c, sepax_error *error) {
@@ -122,8 +160,9 @@ static bool begin(cutting *c, sepax_error *error) {
   }
   for (size_t n = 0; n < scene->bodies; n++) {
     const path_body *b = &scene->body[n];
-    if (b->role != NULL && !path_cutter_make(&c->cutter[n], b->turned, b->turned_part,
-                                             arc_error * scene->stock.cell, error)) {
+    if (b->role != NULL && (!path_cutter_make(&c->cutter[n], b->turned, b->turned_part,
+                                              arc_error * scene->stock.cell, error) ||
+                            !suits_depth(c, n, error))) {
       return false;
     }
   }
@@ -306,6 +345,22 @@ static bool look_closer(cutting *c, path_pair *pair, double from, double to, dou
   return ok;
 }
 
+/* Is a holder outside of the first stock's mesh, and does it stay away from it on the whole motion?
+ */
+static bool is_outside(cutting *c, const path_pair *pair, bool *outside, sepax_error *error) {
+  report_verdict within = VERDICT_FREE;
+  path_line l = path_line_begin(c->scene, c->q, pair);
+  if (!path_certify_segment(c->scene, c->q, pair, c->line - 1, outside, error)) {
+    return false;
+  }
+  path_line_pose(&l, c->line - 1);
+  if (*outside && !path_line_within(&l, &within, error)) {
+    return false;
+  }
+  *outside = *outside && within == VERDICT_FREE;
+  return true;
+}
+
 /* Test one part of the tool between two parts of the motion. */
 static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_error *error) {
   path_pair *pair = c->of[part];
@@ -323,8 +378,8 @@ static bool test(cutting *c, nc_tool_part part, double from, double to, sepax_er
     return false;
   }
   bool is_free = found.free;
-  if (!is_free && holder && !c->alone &&
-      !path_certify_segment(c->scene, c->q, pair, c->line - 1, &is_free, error)) {
+  bool has_mesh = !c->alone && c->q->first == NULL;
+  if (!is_free && holder && has_mesh && !is_outside(c, pair, &is_free, error)) {
     return false;
   }
   if (is_free) {

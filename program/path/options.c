@@ -61,7 +61,7 @@ static const struct argp_option options[] = {
     {"gouge", KEY_GOUGE, "LENGTH", 0, "how deep flutes may be in --part (default 10um)", 0},
     {"cells", KEY_CELLS, "LENGTH", 0,
      "the side of the cells in which --stock is cut (default: 0.2mm, or a tenth of the smallest "
-     "radius of a tool)",
+     "radius of a tool, but at most 1500 along the stock)",
      0},
     {"depth", KEY_DEPTH, "LENGTH", 0,
      "flutes in rapids and shanks may be so deep in what is left of --stock (default: two cells)",
@@ -208,8 +208,8 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_DEVIATION:
     q->deviation = cli_limit(state, "deviation", text, CLI_METRES);
-    if (q->deviation.length < 1e-9) {
-      argp_error(state, "deviation: %s is below 1nm", text);
+    if (!(q->deviation.length >= 1e-9 && q->deviation.length <= 1e-3)) {
+      argp_error(state, "deviation: %s is not within 1nm ... 1mm", text);
     }
     return 0;
   case KEY_SMOOTHING:

@@ -241,6 +241,8 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   }
   if (scene->stock.cell > 0) {
     path_print_stock(scene);
+  } else if (q->stock != NULL) {
+    printf("stock  %s, and no tool with flutes is in the spindle, so nothing is cut\n", q->stock);
   }
   path_print_violations(scene);
   if (q->certify) {

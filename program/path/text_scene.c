@@ -176,6 +176,21 @@ static void print_steps(const format_motion *motion) {
   putchar('\n');
 }
 
+/* What the front end says about the program. */
+static void print_notes(const nc_program *p) {
+  enum { NOTES_MOST = 10 };
+  size_t notes = 0;
+  for (size_t n = 0; n < p->records; n++) {
+    const nc_record *r = &p->record[n];
+    if (r->action == NC_DO_NOTE && notes++ < NOTES_MOST) {
+      printf("note   %.200s:%zu: %.300s\n", nc_program_file(p, r->file), r->line, r->text);
+    }
+  }
+  if (notes > NOTES_MOST) {
+    printf("       and %zu notes more\n", notes - NOTES_MOST);
+  }
+}
+
 /* What is taken for granted of an NC program. */
 static void print_program(const path_scene *scene, const path_question *q) {
   printf("start  %s%s\n",
@@ -192,6 +207,7 @@ static void print_program(const path_scene *scene, const path_question *q) {
            q->blended ? "the deviations count it"
                       : "the proof is for exact corners (G61); --blended counts the blending");
   }
+  print_notes(&scene->nc.program);
   if (q->dogleg) {
     puts("rapids each axis takes its own time");
   }

@@ -75,8 +75,32 @@ static bool check_tool(const path_scene *scene, size_t name, sepax_error *error)
          sepax_fail(error, inner.code, "%.200s: %.260s", where, inner.text);
 }
 
-bool path_tools_read(path_scene *scene, const path_question *q, sepax_error *error) {
+/* Complete the tools by the rows of the control's table whose tools the path names. */
+static bool complete_tools(path_scene *scene, const path_question *q, sepax_error *error) {
   const nc_program *program = &scene->nc.program;
+  nc_tool *used = calloc(program->tools + 1, sizeof *used);
+  size_t count = 0;
+  char table[300];
+  if (used == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for tools");
+  }
+  for (size_t n = 0; n < scene->motion.names; n++) {
+    int number = 0;
+    bool is = is_tool(scene, n) && number_of(scene->motion.name[n], &number);
+    for (size_t k = 0; k < program->tools && is; k++) {
+      if (program->tool[k].number == number) {
+        used[count++] = program->tool[k];
+      }
+    }
+  }
+  snprintf(table, sizeof table, q->tool_table != NULL ? "%.250s" : "tool table of %.250s",
+           q->tool_table != NULL ? q->tool_table : q->machine);
+  bool ok = nc_tools_complete(&scene->tools, used, count, table, error);
+  free(used);
+  return ok;
+}
+
+bool path_tools_read(path_scene *scene, const path_question *q, sepax_error *error) {
   if (!find_link(scene, q, error) || !nc_tools_read(&scene->tools, q->tools, error)) {
     return false;
   }
@@ -84,9 +108,7 @@ bool path_tools_read(path_scene *scene, const path_question *q, sepax_error *err
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "tools: the path has no column tool; add it, or leave --tools out");
   }
-  if (q->machine != NULL &&
-      !nc_tools_complete(&scene->tools, program->tool, program->tools,
-                         q->tool_table != NULL ? q->tool_table : q->machine, error)) {
+  if (q->machine != NULL && !complete_tools(scene, q, error)) {
     return false;
   }
   for (size_t n = 0; n < scene->motion.names; n++) {

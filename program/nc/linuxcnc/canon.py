@@ -34,6 +34,7 @@ class Canon:
         self.plane = 1
         self.kind = 0             # type of the kinematics
         self.unsynchronized = None
+        self.feed = False         # a feed rate is set
         self.spindle, self.blend = None, None
         self.blend_raw = None
         self.at = job.start
@@ -213,7 +214,13 @@ class Canon:
         self._move("rapid", self.to_machine(values))
 
     def straight_feed(self, *values):
+        self._need_feed()
         self._move("feed", self.to_machine(values))
+
+    def _need_feed(self):
+        """The control refuses a feed before any F; gcode.parse() does not."""
+        if not self.feed:
+            self.fail("a feed before any F word: the control has no feed rate")
 
     def straight_probe(self, *values):
         self._move("probe", self.to_machine(values))
@@ -229,6 +236,7 @@ class Canon:
         self.plane = plane
 
     def arc_feed(self, first, second, first_centre, second_centre, turns, along, *rest):
+        self._need_feed()
         order = {1: (0, 1, 2), 2: (1, 2, 0), 3: (2, 0, 1)}[self.plane]
         end, centre, normal = [0.0] * 9, [0.0] * 9, [0.0] * 3
         end[3:] = rest
@@ -376,7 +384,8 @@ class Canon:
 
     # --- what the interpreter asks and says besides -------------------------------------------
 
-    def set_feed_rate(self, _rate):
+    def set_feed_rate(self, rate):
+        self.feed = self.feed or rate > 0
         self.where(self._this())
 
     def get_block_delete(self):
