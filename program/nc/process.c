@@ -22,8 +22,11 @@ static _Noreturn void become(const char *program, const char *const *arguments, 
   }
   words[count] = NULL;
   if (dup2(out, STDOUT_FILENO) >= 0 && dup2(errors, STDERR_FILENO) >= 0) {
-    /* The modules of Debian's packages belong to Debian's Python. */
-    execv("/usr/bin/python3", words);
+    /* The modules of Debian's packages belong to Debian's Python, which finds them by its name. */
+    char *name = words[0];
+    words[0] = "/usr/bin/python3";
+    execv(words[0], words);
+    words[0] = name;
     execvp(words[0], words);
   }
   _exit(NOT_STARTED);
