@@ -161,7 +161,9 @@ static bool add_body(path_scene *scene, const path_question *q, const nc_turned_
                       tool->number, shrink);
   }
   place_on_link(&mesh, tool->length);
-  return path_body_of_mesh(b, &mesh, q->keep, error);
+  bool ok = path_body_of_mesh(b, &mesh, q->keep, error);
+  sepax_soup_free(&mesh);
+  return ok;
 }
 
 static bool add_tool(path_scene *scene, const path_question *q, size_t name, sepax_error *error) {
