@@ -12,6 +12,7 @@
 #include "util/vector.h"
 
 #include <math.h>
+#include <string.h>
 
 /* --------------------------------------------------------------- triangles */
 
@@ -24,8 +25,8 @@ static bool axis_separates(const double v[3][3], const double axis[3], double h)
   double high = -INFINITY;
   for (int k = 0; k < 3; k++) {
     double at = vector_dot(v[k], axis);
-    low = fmin(low, at);
-    high = fmax(high, at);
+    low = at < low ? at : low; /* fmin and fmax are calls */
+    high = at > high ? at : high;
   }
   double size = 0;
   for (int i = 0; i < 3; i++) {
@@ -88,25 +89,35 @@ static void middle_of(const sepax__stock *s, const size_t at[3], const size_t in
   }
 }
 
-/* Mark the cells of a brick that the triangle may touch; a cell's cube is 2^-20 larger. */
+/* Mark the cells that the triangle may touch, of a cube of a brick: of `side` cells, the first one
+ * `in`. A cell's cube is 2^-20 of a cell larger. */
+static void mark_cube(const sepax__stock *marked, const sepax_facet *facet, const size_t at[3],
+                      const size_t in[3], size_t side, uint64_t layer[BRICK]) {
+  double p[3];
+  uint64_t bit = (uint64_t)1 << (BRICK * in[1] + in[0]);
+  if (side == 1 && (layer[in[2]] & bit) != 0) {
+    return;
+  }
+  middle_of(marked, at, in, (double)side, p);
+  if (!may_touch(facet, p, (double)side * marked->cell * (0.5 + 0x1p-20))) {
+    return;
+  }
+  if (side == 1) {
+    layer[in[2]] |= bit;
+    return;
+  }
+  for (size_t n = 0; n < 8; n++) {
+    const size_t part[3] = {in[0] + (n & 1) * side / 2, in[1] + (n >> 1 & 1) * side / 2,
+                            in[2] + (n >> 2) * side / 2};
+    mark_cube(marked, facet, at, part, side / 2, layer);
+  }
+}
+
 static bool mark_brick(sepax__stock *marked, const sepax_facet *facet, const size_t at[3]) {
   const size_t none[3] = {0, 0, 0};
-  double p[3];
-  double h = marked->cell * (0.5 + 0x1p-20);
-  middle_of(marked, at, none, BRICK, p);
-  if (!may_touch(facet, p, BRICK * h)) {
-    return true;
-  }
   uint64_t layer[BRICK];
   sepax__brick_get(marked, at, layer);
-  for (size_t n = 0; n < BRICK_CELLS; n++) {
-    const size_t in[3] = {n % BRICK, n / BRICK % BRICK, n / (BRICK * BRICK)};
-    uint64_t bit = (uint64_t)1 << n % (BRICK * BRICK);
-    middle_of(marked, at, in, 1, p);
-    if ((layer[in[2]] & bit) == 0 && may_touch(facet, p, h)) {
-      layer[in[2]] |= bit;
-    }
-  }
+  mark_cube(marked, facet, at, none, BRICK, layer);
   return sepax__brick_put(marked, at, layer);
 }
 
@@ -156,29 +167,36 @@ static double winding_of(const sepax_soup *mesh, const double p[3]) {
 
 /* ----------------------------------------------------------------- regions */
 
-/* Cells that are marked or have been reached are in `done`. A waiting entry is a cell. */
+/* A brick some of whose cells have been reached, and whose neighbours wait: those of one cell, or
+ * of all cells. */
+typedef struct {
+  uint32_t at[3];
+  uint32_t cell; /* of the brick, or ALL */
+} seed;
+
+enum { ALL = BRICK_CELLS };
+
+typedef struct {
+  seed *item;
+  size_t count, capacity;
+} seeds;
+
+/* Cells that are marked or have been reached are in `done`. A region is flooded in waves: the seeds
+ * of one wave reach those of the next, so only its front is kept. */
 typedef struct {
   sepax__stock *done, *result;
-  uint32_t (*waiting)[3];
-  size_t count, capacity;
+  seeds wave, next;
   bool inside;
 } flood;
 
-static bool wait_for(flood *f, const size_t cell[3]) {
-  for (int i = 0; i < 3; i++) {
-    if (cell[i] >= f->done->bricks[i] * BRICK) { /* also one below 0 */
-      return true;
-    }
-  }
-  uint32_t(*grown)[3] = list_grow(f->waiting, &f->capacity, f->count, sizeof *f->waiting);
+static bool add_seed(flood *f, const size_t at[3], uint32_t cell) {
+  seeds *to = &f->next;
+  seed *grown = list_grow(to->item, &to->capacity, to->count, sizeof *grown);
   if (grown == NULL) {
     return false;
   }
-  f->waiting = grown;
-  for (int i = 0; i < 3; i++) {
-    f->waiting[f->count][i] = (uint32_t)cell[i];
-  }
-  f->count++;
+  to->item = grown;
+  to->item[to->count++] = (seed){{(uint32_t)at[0], (uint32_t)at[1], (uint32_t)at[2]}, cell};
   return true;
 }
 
@@ -192,8 +210,11 @@ static bool add_cells(sepax__stock *s, const size_t at[3], const uint64_t cells[
   return sepax__brick_put(s, at, layer);
 }
 
-/* All cells of the region that can be reached within a brick, from one of them; all of an empty
- * brick at once. */
+static bool reach_cells(flood *f, const size_t at[3], const uint64_t cells[BRICK]) {
+  return add_cells(f->done, at, cells) && (!f->inside || add_cells(f->result, at, cells));
+}
+
+/* All cells of the region that can be reached within a brick, from one of them. */
 static void spread(const uint64_t done[BRICK], const size_t in[3], uint64_t cells[BRICK]) {
   const uint64_t first = 0x0101010101010101U; /* x = 0 of all rows */
   for (size_t z = 0; z < BRICK; z++) {
@@ -212,43 +233,69 @@ static void spread(const uint64_t done[BRICK], const size_t in[3], uint64_t cell
   }
 }
 
-/* The cells next to those of a brick, in the six bricks around, wait. */
-static bool wait_around(flood *f, const size_t at[3], const uint64_t cells[BRICK]) {
-  for (size_t n = 0; n < BRICK_CELLS; n++) {
-    const size_t in[3] = {n % BRICK, n / BRICK % BRICK, n / (BRICK * BRICK)};
-    if ((cells[in[2]] >> n % (BRICK * BRICK) & 1) == 0) {
+/* The cells of a brick beside, behind the faces of `cells` in a direction along an axis. */
+static void behind(const uint64_t cells[BRICK], int axis, bool up, uint64_t to[BRICK]) {
+  const uint64_t first = 0x0101010101010101U; /* x = 0 of all rows */
+  for (int z = 0; z < BRICK; z++) {
+    uint64_t c = cells[z];
+    to[z] = axis == 0 ? (up ? c >> (BRICK - 1) & first : (c & first) << (BRICK - 1))
+                      : (up ? c >> BRICK * (BRICK - 1) : c << BRICK * (BRICK - 1));
+  }
+  if (axis == 2) {
+    memset(to, 0, BRICK * sizeof *to);
+    to[up ? 0 : BRICK - 1] = cells[up ? BRICK - 1 : 0];
+  }
+}
+
+/* Reach what is behind `cells` of a brick. A brick without a mark is reached as a whole. */
+static bool reach_beside(flood *f, const size_t at[3], const uint64_t cells[BRICK]) {
+  const uint64_t whole[BRICK] = {UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
+                                 UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
+  for (int side = 0; side < 6; side++) {
+    size_t to[3] = {at[0], at[1], at[2]};
+    to[side / 2] += side % 2 == 1 ? 1 : (size_t)-1;
+    if (to[side / 2] >= f->done->bricks[side / 2]) { /* also one below 0 */
       continue;
     }
-    for (int i = 0; i < 3; i++) {
-      if (in[i] == 0 || in[i] == BRICK - 1) {
-        size_t to[3] = {at[0] * BRICK + in[0], at[1] * BRICK + in[1], at[2] * BRICK + in[2]};
-        to[i] += in[i] == 0 ? (size_t)-1 : 1;
-        if (!wait_for(f, to)) {
-          return false;
-        }
+    uint64_t there[BRICK];
+    uint64_t any = 0;
+    behind(cells, side / 2, side % 2 == 1, there);
+    for (int z = 0; z < BRICK; z++) {
+      there[z] &= ~brick_layer(f->done, brick_at(f->done, to), z);
+      any |= there[z];
+    }
+    if (any != 0 && f->done->brick[brick_at(f->done, to)] == BRICK_EMPTY) {
+      if (!reach_cells(f, to, whole) || !add_seed(f, to, ALL)) {
+        return false;
+      }
+      continue;
+    }
+    for (size_t n = 0; n < BRICK_CELLS && any != 0; n++) {
+      if ((there[n / (BRICK * BRICK)] >> n % (BRICK * BRICK) & 1) != 0 &&
+          !add_seed(f, to, (uint32_t)n)) {
+        return false;
       }
     }
   }
   return true;
 }
 
-static bool reach_next(flood *f) {
-  size_t at[3];
-  size_t in[3];
+static bool reach_seed(flood *f, const seed *from) {
+  const size_t at[3] = {from->at[0], from->at[1], from->at[2]};
+  const size_t n = from->cell % BRICK_CELLS;
+  const size_t in[3] = {n % BRICK, n / BRICK % BRICK, n / (BRICK * BRICK)};
   uint64_t done[BRICK];
   uint64_t cells[BRICK];
-  f->count--;
-  for (int i = 0; i < 3; i++) {
-    at[i] = f->waiting[f->count][i] / BRICK;
-    in[i] = f->waiting[f->count][i] % BRICK;
+  if (from->cell == ALL) {
+    memset(cells, 0xff, sizeof cells);
+    return reach_beside(f, at, cells);
   }
   sepax__brick_get(f->done, at, done);
   if (done[in[2]] >> (BRICK * in[1] + in[0]) & 1) {
     return true;
   }
   spread(done, in, cells);
-  return add_cells(f->done, at, cells) && (!f->inside || add_cells(f->result, at, cells)) &&
-         wait_around(f, at, cells);
+  return reach_cells(f, at, cells) && reach_beside(f, at, cells);
 }
 
 /* The region of a cell: all of it is inside or outside. */
@@ -266,10 +313,15 @@ static bool flood_region(flood *f, const sepax_soup *mesh, const size_t at[3], s
                       winding, p[0], p[1], p[2]);
   }
   f->inside = whole != 0;
-  const size_t first[3] = {at[0] * BRICK + in[0], at[1] * BRICK + in[1], at[2] * BRICK + in[2]};
-  bool ok = wait_for(f, first);
-  while (ok && f->count > 0) {
-    ok = reach_next(f);
+  bool ok = add_seed(f, at, (uint32_t)cell);
+  while (ok && f->next.count > 0) {
+    seeds wave = f->next;
+    f->next = f->wave;
+    f->wave = wave;
+    f->next.count = 0;
+    for (size_t n = 0; n < f->wave.count && ok; n++) {
+      ok = reach_seed(f, &f->wave.item[n]);
+    }
   }
   return ok || sepax__stock_no_memory(error);
 }
@@ -338,6 +390,7 @@ bool sepax__stock_fill_mesh(sepax__stock *stock, const sepax_soup *mesh, sepax_e
   bool ok = sepax__stock_new(&f.done, SEPAX__STOCK_OUTER, facts.box, stock->cell, error) &&
             mark_all(&f, mesh, error) && flood_all(&f, mesh, error);
   sepax__stock_free(f.done);
-  sepax_release(f.waiting);
+  sepax_release(f.wave.item);
+  sepax_release(f.next.item);
   return ok;
 }
