@@ -3,7 +3,8 @@
  *
  * A limit a rho + b z <= c with a >= 0 is the intersection of the half-spaces with the unit normals
  * (a cos t, a sin t, b) for all t. A point whose ball of radius e lies in a half-space is one that
- * lies in the half-space moved inward by e; the same holds for a round limit, c - e instead of c. A
+ * lies in the half-space moved inward by e. The same holds for a round limit, c - e instead of c:
+ * if the result is below 0, what is left lies that deep in its cylinder. A
  * ball lies in an intersection if it lies in each part. So shrinking by e subtracts e from every c,
  * and is exact. Adding e to every c moves each part outward by e, so the result holds all points
  * within e of the shape. */
@@ -104,18 +105,23 @@ static bool add_limit(sepax__stock_shape *s, sepax__stock_limit limit) {
   return true;
 }
 
-/* A quarter of a circle around a point of the axis, between a plane and a cylinder: round. */
+/* A quarter of a circle between a plane and a cylinder, its centre at r: round. */
 static bool is_round(const edge *e, const edge *f, double r) {
-  return r == 0 && ((e->a == 0 && f->b == 0) || (e->b == 0 && f->a == 0));
+  return r >= 0 && ((e->a == 0 && f->b == 0) || (e->b == 0 && f->a == 0));
 }
 
-/* An edge next to such an arc needs no limit: the arc keeps it. */
+/* An edge next to the quarter of a ball needs no limit: the arc keeps it. */
 static bool is_needless(const sepax__stock_corner *corner, const edge *before, const edge *here,
                         const edge *after) {
-  return (before != NULL && corner[0].round > 0 &&
-          is_round(before, here, (here->b == 0 ? here->c : before->c) - corner[0].round)) ||
-         (after != NULL && corner[1].round > 0 &&
-          is_round(here, after, (here->b == 0 ? here->c : after->c) - corner[1].round));
+  const sepax__stock_corner *k[2] = {&corner[0], &corner[1]};
+  const edge *beside[2] = {before, after};
+  for (int n = 0; n < 2; n++) {
+    double r = beside[n] == NULL ? 0 : (here->b == 0 ? here->c : beside[n]->c) - k[n]->round;
+    if (beside[n] != NULL && k[n]->round > 0 && r == 0 && is_round(beside[n], here, r)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /* The limits of the arc in a corner between two edges. The polygon of the chords lies in the arc's
@@ -128,8 +134,9 @@ static bool add_arc(const sepax__stock_corner *k, const edge *e, const edge *f, 
   double to = f->c - k->round;
   double r = (from * f->b - to * e->b) / sine;
   double z = (e->a * to - f->a * from) / sine;
-  if (is_round(e, f, e->b == 0 ? from : to)) {
-    sepax__stock_limit round = {true, false, z, e->a == 0 ? 1 : -1, k->round};
+  double ring = e->b == 0 ? from : to;
+  if (is_round(e, f, ring)) {
+    sepax__stock_limit round = {true, false, z, e->a == 0 ? 1 : -1, k->round, ring};
     return add_limit(inside, round) && add_limit(outside, round);
   }
   double half = acos(fmax(0, 1 - error_most / k->round));
@@ -141,7 +148,7 @@ static bool add_arc(const sepax__stock_corner *k, const edge *e, const edge *f, 
   double step = turn / parts;
   for (int n = 0; n < (int)parts; n++) {
     double at = first + (n + 0.5) * step;
-    sepax__stock_limit chord = {false, false, fmax(0, cos(at)), sin(at), 0};
+    sepax__stock_limit chord = {.a = fmax(0, cos(at)), .b = sin(at)};
     chord.c = chord.a * r + chord.b * z + k->round;
     bool ok = add_limit(outside, chord);
     chord.c -= k->round * (1 - cos(step / 2));
@@ -158,7 +165,7 @@ static bool add_limits(const sepax__stock_corner *corner, size_t count, double e
   edge f = edge_of(&corner[0], &corner[1]);
   for (size_t n = 0; n + 1 < count; n++) {
     edge g = n + 2 < count ? edge_of(&corner[n + 1], &corner[n + 2]) : f;
-    sepax__stock_limit flat = {false, false, f.a, f.b, f.c};
+    sepax__stock_limit flat = {.a = f.a, .b = f.b, .c = f.c};
     bool ok = is_needless(&corner[n], n > 0 ? &e : NULL, &f, n + 2 < count ? &g : NULL) ||
               (add_limit(inside, flat) && add_limit(outside, flat));
     if (!ok || (n > 0 && corner[n].round > 0 && turn_of(&e, &f) > 0 &&

@@ -8,7 +8,7 @@
 /* A limit, ready to be asked: `cube` is how far a cube of half side 1 reaches across it. */
 typedef struct {
   bool round;
-  double a, b, c, cube;
+  double a, b, c, ring, cube;
 } sweep_limit;
 
 /* A shape that goes along a way. Frame: row 2 is the tool's axis, and the way has no part along row

@@ -10,7 +10,12 @@
  * inward lies outside its tangents and inside its chords, and each of its chords or tangents has a
  * shape of its own. The centre of an arc of radius R is s = sqrt(R^2 - h^2) from its chord of
  * length 2h. The radicand is wrong by less than 2^-50 R^2, so s, at least 0, by less than 2^-25 R;
- * the limits have 2^-23 R to spare. */
+ * the limits have 2^-23 R to spare.
+ *
+ * A quarter of a circle is one round limit: no point is farther than R from the cylinder of the
+ * radius r of its centre, above its height z. The solid keeps this limit near the arc. It does so
+ * elsewhere, too, if it is no wider than r + R and begins no lower than z - R. For a quarter that
+ * is one but for 2^-20, make_shape sees to both. */
 #include "stock/stock.h"
 
 #include "util/error.h"
@@ -42,6 +47,8 @@ static bool add(elements *list, element e) {
 }
 
 /* -------------------------------------------------------------------- arcs */
+
+static const double spared = 0x1p-23;
 
 typedef struct {
   const turned_point *from, *to;
@@ -75,31 +82,34 @@ static sepax__stock_limit tangent(const arc *k, double angle, double in) {
   return limit;
 }
 
-/* A quarter of a circle around a point of the axis, from the axis or to it. */
+/* A quarter of a circle between a flat face and a cylinder, up to rounding; its centre is on the
+ * axis (a ball) or beside it (the corner of a bull nose). */
+static bool is_quarter(const arc *k) {
+  const double near = 0x1p-20;
+  const double right = 0x1.921fb54442d18p0;
+  bool low = fabs(k->first + right) <= near && fabs(k->last) <= near;
+  bool high = fabs(k->first) <= near && fabs(k->last - right) <= near;
+  return !k->inward && k->r >= -near * k->radius && (low || high);
+}
+
+/* One round limit. Outside, make_shape makes it larger by what it is no quarter. */
 static bool add_quarter(elements *list, const arc *k, double spare) {
-  bool low = k->from->r == 0;
-  element e = {.limit = {true, false, k->z, low ? 1 : -1, k->radius + spare + fabs(k->r)},
+  double ring = k->r > 0x1p-20 * k->radius ? k->r : 0;
+  double off = fabs(k->r - ring);
+  element e = {.limit = {true, false, k->z, k->first + k->last < 0 ? 1 : -1, 0, ring},
                .low = k->from->z,
                .high = k->to->z,
                .first = k->first,
                .last = k->last,
                .r = {k->from->r, k->to->r}};
-  e.limit.c = spare < 0 ? k->radius + spare - fabs(k->r) : e.limit.c;
+  e.limit.c = k->radius + spare + (spare < 0 ? -off : off);
   return add(list, e);
-}
-
-static bool is_quarter(const arc *k) {
-  double near = 0x1p-20 * k->radius;
-  bool low = k->from->r == 0 && fabs(k->to->r - k->radius) <= near;
-  bool high = k->to->r == 0 && fabs(k->from->r - k->radius) <= near;
-  return !k->inward && fabs(k->r) <= near && (low || high) &&
-         fabs(fabs(k->to->z - k->from->z) - k->radius) <= near;
 }
 
 /* Chords or tangents of an arc, `parts` of them; tangents of an outward arc also at its ends, where
  * the next element may meet it at an angle. */
 static bool add_arc(elements *list, const arc *k, double error_most, bool inside) {
-  double spare = (inside ? -1 : 1) * 0x1p-23 * k->radius;
+  double spare = (inside ? -1 : 1) * spared * k->radius;
   if (is_quarter(k)) {
     return add_quarter(list, k, spare);
   }
@@ -196,6 +206,17 @@ static bool goes_on(const element *e, const element *next) {
 
 static bool is_face(const element *e) { return e->limit.a == 0 && !e->limit.round; }
 
+/* Round limits around the solid hold its widest place, and its lowest or highest one. */
+static void widen(sepax__stock_shape *s, double low, double high) {
+  for (int n = 0; n < s->count; n++) {
+    sepax__stock_limit *k = &s->limit[n];
+    if (k->round) {
+      double most = fmax(s->radius - k->ring, k->b > 0 ? k->a - low : high - k->a);
+      k->c = fmax(k->c, most * (1 + spared));
+    }
+  }
+}
+
 /* The shape of `count` elements; `spare` is added to its limits. False if it needs too many. */
 static bool make_shape(sepax__stock_shape *s, const element *e, size_t count, double spare,
                        const bool joined[2]) {
@@ -216,6 +237,9 @@ static bool make_shape(sepax__stock_shape *s, const element *e, size_t count, do
     }
     s->limit[s->count] = e[n].limit;
     s->limit[s->count++].c += spare * (double)count;
+  }
+  if (spare > 0) {
+    widen(s, e->low, last->high);
   }
   size = (size + s->radius) * 0x1p-16; /* more than all that was spared */
   s->radius += size;

@@ -9,14 +9,23 @@ typedef struct {
   sepax__stock_shape shape[2]; /* inside, outside */
   sepax__stock_piece piece;
   sweep made[2]; /* inside: surely reached; outside: surely not */
-  double error;
+  double error, shrunk;
 } sample;
 
-/* Ways along the axis, across it, of no length and in any direction. */
+/* How far a point is beyond the shrunk solid on its way. */
+static long double beyond_sample(const sample *s, const double p[3]) {
+  return beyond_way(&s->solid, &s->piece.at, s->piece.way, p) + s->shrunk;
+}
+
+/* Ways along the axis, across it, of no length and in any direction. Half of the shapes are shrunk,
+ * some by more than the radius of an arc. */
 static sample draw_sample(int kind) {
   sample s = {.solid = draw_profile(kind), .error = 0.001 + 0.05 * fabs(random_unit())};
   assert_works(sepax__stock_shape_make(s.solid.corner, s.solid.count, s.error, &s.shape[0],
                                        &s.shape[1], &fault));
+  s.shrunk = random_below(2) == 0 ? 0.45 * fabs(random_unit()) : 0;
+  sepax__stock_shape_shrink(&s.shape[0], s.shrunk);
+  sepax__stock_shape_shrink(&s.shape[1], s.shrunk);
   s.piece.at = turned_and_moved(10);
   if (random_below(3) == 0) { /* upright */
     const sepax_pose upright = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0.5, 0, 0.25}};
@@ -51,7 +60,7 @@ static void draw_point(const sample *s, double p[3]) {
 static int check_point(const sample *s, const double p[3]) {
   double q[3];
   double reach;
-  long double beyond = beyond_way(&s->solid, &s->piece.at, s->piece.way, p);
+  long double beyond = beyond_sample(s, p);
   sweep_point(&s->made[0], p, q);
   sweep_side side = sepax__sweep_locate(&s->made[0], q, 0, &reach);
   if (side == SWEEP_INSIDE) {
@@ -72,7 +81,7 @@ static int check_point(const sample *s, const double p[3]) {
     for (int i = 0; i < 3; i++) {
       near[i] = p[i] + near[i] / sqrt(in) * reach * 0.999999;
     }
-    assert_true(beyond_way(&s->solid, &s->piece.at, s->piece.way, near) > -1e-12);
+    assert_true(beyond_sample(s, near) > -1e-12);
   }
   assert_true(side == SWEEP_OUTSIDE || beyond < 4 * s->error + 2e-3);
   return beyond > 0;
@@ -110,11 +119,11 @@ CASE(cubes_outside_have_no_point) {
           for (int i = 0; i < 3; i++) {
             at[i] = p[i] + (corner >> i & 1 ? half : -half);
           }
-          assert_true(beyond_way(&s.solid, &s.piece.at, s.piece.way, at) > 0);
+          assert_true(beyond_sample(&s, at) > 0);
         }
       } else {
         double far = sqrt(3) * half + 4 * s.error + 2e-3;
-        long double beyond = beyond_way(&s.solid, &s.piece.at, s.piece.way, p);
+        long double beyond = beyond_sample(&s, p);
         assert_true(beyond < 1.5 * far); /* 1.42: along and around the axis at once */
       }
     }
@@ -125,6 +134,7 @@ CASE(cubes_outside_have_no_point) {
 /* A pose that is no perfect rotation is covered, and so is a place far from the origin: the limits
  * have room for both. */
 CASE(rounding_is_covered) {
+  int asked = 0;
   for (int n = 0; n < FEWER(2000); n++) {
     sample s = draw_sample(n);
     sepax_pose skew = s.piece.at;
@@ -145,8 +155,12 @@ CASE(rounding_is_covered) {
     double z = s.shape[0].low + (s.shape[0].high - s.shape[0].low) * (0.5 + 0.4 * random_unit());
     double rho = s.shape[0].radius;
     for (int k = 0; k < 60; k++) { /* to the surface */
-      rho -= (double)fmaxl(0, beyond_solid(&s.solid, rho, z));
+      rho -= (double)fmaxl(0, beyond_solid(&s.solid, rho, z) + s.shrunk);
     }
+    if (rho < 0 || beyond_solid(&s.solid, rho, z) + s.shrunk > 1e-12) {
+      continue; /* the shrunk solid has no such height, or ends near it */
+    }
+    asked++;
     double off = 1e-9 * (random_below(2) ? 1 : -1);
     const double v[3] = {(rho + off) * cos(angle), (rho + off) * sin(angle), z};
     double p[3];
@@ -159,6 +173,7 @@ CASE(rounding_is_covered) {
     sweep_point(&made[0], p, q);
     assert_true(off < 0 || !still || sepax__sweep_locate(&made[0], q, 0, &reach) != SWEEP_INSIDE);
   }
+  assert_true(asked > FEWER(1700));
 }
 
 /* Points as near to the surface as doubles can be, at the end of a bisection between one outside
@@ -171,8 +186,7 @@ CASE(points_of_the_surface_are_on_the_sure_side) {
     const long double side[2] = {1, -1};
     draw_point(&s, end[0]);
     draw_point(&s, end[1]);
-    if (beyond_way(&s.solid, &s.piece.at, s.piece.way, end[0]) * side[0] <= 0 ||
-        beyond_way(&s.solid, &s.piece.at, s.piece.way, end[1]) * side[1] <= 0) {
+    if (beyond_sample(&s, end[0]) * side[0] <= 0 || beyond_sample(&s, end[1]) * side[1] <= 0) {
       continue;
     }
     for (int k = 0; k < 56; k++) {
@@ -180,7 +194,7 @@ CASE(points_of_the_surface_are_on_the_sure_side) {
       for (int i = 0; i < 3; i++) {
         middle[i] = end[0][i] / 2 + end[1][i] / 2;
       }
-      long double beyond = beyond_way(&s.solid, &s.piece.at, s.piece.way, middle);
+      long double beyond = beyond_sample(&s, middle);
       memcpy(end[beyond > 0 ? 0 : 1], middle, sizeof middle);
       if (k > 40) {
         double q[3];

@@ -188,10 +188,12 @@ CASE(profiles_that_are_not_legal_are_refused) {
   const bool open[2] = {false, false};
   assert_fault(sepax__stock_shapes_make(&t.profile, open, 0, &side[0], &side[1], &fault),
                "above 0");
-  t = draw_turning(1);
+  t = draw_turning(3); /* a tapered ball: its arc is no quarter of a circle */
   t.profile.point = t.point;
   assert_fault(sepax__stock_shapes_make(&t.profile, open, 1e-9, &side[0], &side[1], &fault),
                "limits");
+  t = draw_turning(1);
+  t.profile.point = t.point;
   t.point[2].z = -1;
   assert_false(sepax__stock_shapes_make(&t.profile, open, 0.01, &side[0], &side[1], &fault));
 }
