@@ -12,9 +12,6 @@
 
 #include <math.h>
 
-/* Ways are divided until they deviate by no more than this part of a cell. */
-static const double fine = 0x1p-3;
-
 typedef struct {
   sepax__stock *s;
   const sepax__stock_shape *shape;
@@ -162,6 +159,6 @@ bool sepax__stock_cut(sepax__stock *stock, const sepax__stock_shape *shape, size
                .tolerance = tolerance,
                .extent = sepax__stock_extent(stock),
                .error = error};
-  sepax__stock_pieces(way, fine * stock->cell, cut_piece, &c);
+  sepax__stock_pieces(way, sepax__stock_fine(stock, tolerance), cut_piece, &c);
   return !c.failed;
 }

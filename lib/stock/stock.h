@@ -28,9 +28,9 @@ enum { SEPAX__STOCK_LIMITS = 64 };
 
 /* One limit of a convex shape; rho is the distance from the axis.
  *   cone   a * rho + b * z <= c, with a >= 0 and a^2 + b^2 = 1 up to rounding
- *   round  no farther than c from the cylinder rho <= ring that begins at z = a and leads to +z if b
- *          is 1, to -z if b is -1; or, if c is below 0, -c or more inside it. The cylinder is a ray
- *          if ring is 0. */
+ *   round  no farther than c from the cylinder rho <= ring that begins at z = a and leads to +z if
+ * b is 1, to -z if b is -1; or, if c is below 0, -c or more inside it. The cylinder is a ray if
+ * ring is 0. */
 typedef struct {
   bool round;
   bool joined; /* the next shape of the same tool goes on here: shrinking leaves this limit */

@@ -11,8 +11,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double fine = 0x1p-3;
-
 typedef struct {
   const sepax__stock *s;
   const sepax__stock_shape *shape; /* of the caller */
@@ -129,7 +127,7 @@ bool sepax__stock_test(const sepax__stock *stock, const sepax__stock_shape *shap
               .error = error};
   c.failed = !arguments_are_valid(&c, error);
   if (!c.failed) {
-    sepax__stock_pieces(way, fine * stock->cell, test_piece, &c);
+    sepax__stock_pieces(way, sepax__stock_fine(stock, tolerance), test_piece, &c);
   }
   if (found->free || c.failed) {
     memset(found->box, 0, sizeof found->box);
@@ -226,6 +224,6 @@ bool sepax__stock_hit(const sepax__stock *stock, const sepax__stock_shape *shape
   if (!isfinite(tolerance) || tolerance < 0) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "the tolerance of a way must be 0 or more");
   }
-  sepax__stock_pieces(way, fine * stock->cell, hit_piece, &h);
+  sepax__stock_pieces(way, sepax__stock_fine(stock, tolerance), hit_piece, &h);
   return !h.c.failed;
 }

@@ -122,6 +122,10 @@ unsigned sepax__row_mask(const sweep *s, const sweep_row *row, unsigned asked, d
 
 enum { DIVIDED_MOST = 20 };
 
+double sepax__stock_fine(const sepax__stock *s, double tolerance) {
+  return fmax(s->cell / 8 - tolerance, s->cell / 32);
+}
+
 /* A part of the way that waits, and the deviation of the part that it was half of. */
 typedef struct {
   double from, to, before;

@@ -26,6 +26,11 @@ typedef bool brick_visitor(void *context, const size_t at[3]);
 bool sepax__stock_walk(const sepax__stock *s, const sweep *reached, bool empty,
                        brick_visitor *visit, void *context);
 
+/* The deviation to which ways are divided, for a tolerance. Both are added, or taken off, together:
+ * so they are an eighth of a cell if the tolerance is at most 3 / 32 of a cell. A larger tolerance
+ * makes pieces no finer than a 32nd of a cell, because their number grows as they get finer. */
+double sepax__stock_fine(const sepax__stock *s, double tolerance);
+
 /* What is done with a piece. Returns false to have it divided, if `last` is false. */
 typedef bool piece_visitor(void *context, const sepax__stock_piece *piece, bool last);
 

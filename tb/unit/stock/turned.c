@@ -134,6 +134,33 @@ CASE(shapes_enclose_the_solid_and_lie_in_it) {
   assert_true(counted[0] > FEWER(10000) && counted[1] > FEWER(10000));
 }
 
+/* An arc that ends 2^-21 short of a quarter, before a cone as steep: one round limit, and the
+ * widest place of the cone keeps it. */
+CASE(a_quarter_but_for_rounding_holds_a_cone) {
+  const double lean = 0x1p-21;
+  for (int low = 0; low < 2; low++) {
+    const double r = 1 + 0.5 * cos(lean);
+    const double z = 0.5 * sin(lean);
+    const double top = r + 3 * tan(lean);
+    turning t = {.profile = {.points = 0}};
+    if (low == 1) {
+      add(&t, 0, 0, 0), add(&t, 0, 1, 0), add(&t, 0.5 - z, r, 0.5), add(&t, 3.5 - z, top, 0);
+    } else {
+      add(&t, -3.5 + z, top, 0), add(&t, -0.5 + z, r, 0), add(&t, 0, 1, 0.5), add(&t, 0, 0, 0);
+    }
+    t.profile.point = t.point;
+    sepax__stock_shapes side[2];
+    const bool open[2] = {false, false};
+    assert_works(sepax__stock_shapes_make(&t.profile, open, 0.01, &side[0], &side[1], &fault));
+    assert_int_equal(side[1].count, 1);
+    assert_true(side[1].shape[0].count < 6);
+    const double widest[3] = {top, 0, low == 1 ? 3.5 - z : -3.5 + z};
+    assert_true(in_any(&side[1], widest, 1));
+    sepax__stock_shapes_free(&side[0]);
+    sepax__stock_shapes_free(&side[1]);
+  }
+}
+
 /* How many shapes there are, and what volume is between the solid and them. */
 CASE(convex_tools_are_one_shape) {
   const size_t shapes[7] = {1, 1, 3, 1, 2, 1, 0};
