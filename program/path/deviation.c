@@ -10,6 +10,7 @@
  * translations between A and j, each at its greatest on the path. Later steps do not change this
  * way's length, because they only pose what is behind. So the distance of A and B changes by at
  * most the sum; the sum for B seen from A is as good, and the lesser one counts. */
+#include "path/deviation.h"
 #include "path/program.h"
 #include "util/error.h"
 #include "util/vector.h"
@@ -20,6 +21,12 @@
 
 /* Covers all rounding of the sums and products. */
 static const double up = 1 + 0x1p-30;
+
+bool path_motion_decided(const path_scene *scene, const path_pair *pair, size_t line) {
+  return pair->by_cells ? format_motion_goes_on(&scene->motion, line) &&
+                              pair->tool == scene->motion.step[line + 1].tool
+                        : path_motion_asked(scene, pair, line);
+}
 
 /* The greatest size of each joint's value on the path. */
 static void find_sizes(const path_scene *scene, double *size) {
@@ -61,6 +68,35 @@ static void find_levers(const path_scene *scene, const sepax_chain *chain, doubl
   }
 }
 
+double *path_levers(const path_scene *scene, sepax_error *error) {
+  size_t joints = scene->robot.mechanism.joints;
+  double *lever = calloc(2 * scene->pairs * joints + 1, sizeof *lever);
+  double *size = calloc(joints + 1, sizeof *size);
+  bool ok = lever != NULL && size != NULL;
+  if (ok) {
+    find_sizes(scene, size);
+  } else {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for deviations");
+  }
+  for (size_t n = 0; n < scene->pairs && ok; n++) {
+    const path_pair *pair = &scene->pair[n];
+    const path_body *body[2] = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]};
+    sepax_chain back;
+    ok = sepax_chain_find(&back, &scene->robot.mechanism, body[1]->link, body[0]->link, error);
+    if (ok) {
+      double *of = &lever[2 * n * joints];
+      find_levers(scene, &pair->chain, radius_of(body[0]), size, of);
+      find_levers(scene, &back, radius_of(body[1]), size, of + joints);
+      sepax_chain_free(&back);
+    }
+  }
+  free(size);
+  if (!ok) {
+    free(lever);
+  }
+  return ok ? lever : NULL;
+}
+
 static double sum_of(size_t joints, const double *lever, const double *off) {
   double sum = 0;
   for (size_t j = 0; j < joints; j++) {
@@ -69,28 +105,13 @@ static double sum_of(size_t joints, const double *lever, const double *off) {
   return sum * up;
 }
 
-/* How far each joint may be off in the motion that ends in a line, in m or rad. */
-static void find_off(const path_scene *scene, bool blended, size_t line, double *off) {
-  const nc_motion *nc = &scene->nc;
-  const sepax_mechanism *m = &scene->robot.mechanism;
-  const format_motion *motion = &scene->motion;
-  size_t row = scene->row_of[line];
-  memset(off, 0, m->joints * sizeof *off);
-  for (size_t k = 0; k < nc->joints; k++) {
-    size_t to = scene->joint_of[k];
-    bool counts = blended || nc->row[row].blend != NC_UNBOUNDED;
-    if (to != SEPAX_NO_JOINT) {
-      off[to] = nc->deviation[row * nc->joints + k] +
-                (counts ? nc->blending[row * nc->joints + k] : nc->smoothing[k]);
-    }
-  }
-  if (nc->row[row].dogleg &&
-      line > 0) { /* anywhere in the box of both ends: seen from its middle */
-    const double *now = &motion->value[line * motion->joints];
-    for (size_t j = 0; j < m->joints; j++) {
-      off[j] += fabs(now[j] - now[j - motion->joints]) / 2 * up;
-    }
-  }
+double path_nearer(const path_scene *scene, const double *levers, size_t pair, const double *off) {
+  size_t joints = scene->robot.mechanism.joints;
+  const double *lever = &levers[2 * pair * joints];
+  return fmin(sum_of(joints, lever, off), sum_of(joints, lever + joints, off));
+}
+
+void path_followers_off(const sepax_mechanism *m, double *off) {
   for (size_t j = 0; j < m->joints; j++) {
     if (m->joint[j].mimic != SEPAX_NO_JOINT) {
       off[j] = fabs(m->joint[j].factor) * off[m->joint[j].mimic] * up;
@@ -98,42 +119,39 @@ static void find_off(const path_scene *scene, bool blended, size_t line, double 
   }
 }
 
-/* Add what a pair needs to the deviations of all lines. */
-static bool add_pair(path_scene *scene, const path_pair *pair, bool blended, const double *size,
-                     double *lever[2], double *off, sepax_error *error) {
-  size_t joints = scene->robot.mechanism.joints;
-  const path_body *body[2] = {&scene->body[pair->body[0]], &scene->body[pair->body[1]]};
-  sepax_chain back;
-  if (!sepax_chain_find(&back, &scene->robot.mechanism, body[1]->link, body[0]->link, error)) {
-    return false;
+void path_joints_off(const path_scene *scene, bool blended, size_t line, double *off) {
+  const nc_motion *nc = &scene->nc;
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  size_t row = scene->row_of[line];
+  bool counts = blended || nc->row[row].blend != NC_UNBOUNDED;
+  for (size_t j = 0; j < m->joints; j++) {
+    off[j] = scene->spread != NULL ? scene->spread[line * m->joints + j] : 0;
   }
-  find_levers(scene, &pair->chain, radius_of(body[0]), size, lever[0]);
-  find_levers(scene, &back, radius_of(body[1]), size, lever[1]);
-  sepax_chain_free(&back);
-  for (size_t n = 1; n < scene->motion.lines; n++) {
-    if (path_motion_asked(scene, pair, n - 1)) {
-      find_off(scene, blended, n, off);
-      double most = fmin(sum_of(joints, lever[0], off), sum_of(joints, lever[1], off));
-      format_step *step = &scene->motion.step[n];
-      step->deviation = fmax(step->deviation, most);
+  for (size_t k = 0; k < nc->joints; k++) {
+    size_t to = scene->joint_of[k];
+    if (to != SEPAX_NO_JOINT) {
+      off[to] += nc->deviation[row * nc->joints + k] +
+                 (counts ? nc->blending[row * nc->joints + k] : nc->smoothing[k]);
     }
   }
-  return true;
+  path_followers_off(m, off);
 }
 
 bool path_program_deviations(path_scene *scene, bool blended, sepax_error *error) {
-  size_t joints = scene->robot.mechanism.joints;
-  double *memory = calloc(4 * joints + 1, sizeof *memory);
-  if (memory == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for deviations");
+  double *off = calloc(scene->robot.mechanism.joints + 1, sizeof *off);
+  double *levers = path_levers(scene, error);
+  bool ok = levers != NULL &&
+            (off != NULL || sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for deviations"));
+  for (size_t n = 1; n < scene->motion.lines && ok; n++) {
+    path_joints_off(scene, blended, n, off);
+    for (size_t k = 0; k < scene->pairs; k++) {
+      if (path_motion_decided(scene, &scene->pair[k], n - 1)) {
+        format_step *step = &scene->motion.step[n];
+        step->deviation = fmax(step->deviation, path_nearer(scene, levers, k, off));
+      }
+    }
   }
-  double *size = memory;
-  double *lever[2] = {memory + joints, memory + 2 * joints};
-  bool ok = true;
-  find_sizes(scene, size);
-  for (size_t n = 0; n < scene->pairs && ok; n++) {
-    ok = add_pair(scene, &scene->pair[n], blended, size, lever, memory + 3 * joints, error);
-  }
-  free(memory);
+  free(off);
+  free(levers);
   return ok;
 }

@@ -177,6 +177,8 @@ typedef struct {
   size_t *partner;                 /* links that are compared with the link of the tools */
   size_t partners;
   size_t *row_of; /* the row of nc that each line of the path is */
+  double *spread; /* of a program with dog-legs: spread[line * joints + j] is how far joint j may be
+                     off in the motion that ends in the line; otherwise NULL */
   path_body *body;
   size_t bodies;
   size_t *body_of; /* of each link; SIZE_MAX if it has none */
@@ -236,6 +238,10 @@ typedef struct {
 /* All violations of a path with steps, the worst first, then in the order of the path. NULL without
  * memory. The caller frees the list. */
 path_violation *path_violations(const path_scene *scene, size_t *count);
+
+/* Is the way from the line before to this one not known? The boxes of a dog-leg are no such break.
+ */
+bool path_way_unknown(const path_scene *scene, size_t line);
 
 /* Number of motions whose corners the control may round without a bound, and the line of the first.
  */

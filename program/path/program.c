@@ -267,12 +267,18 @@ bool path_program_read(path_scene *scene, const path_question *q, sepax_error *e
          fill_lines(scene, q, error);
 }
 
+bool path_way_unknown(const path_scene *scene, size_t line) {
+  return scene->motion.step[line].breaks &&
+         (scene->row_of == NULL || scene->nc.row[scene->row_of[line]].begins != NC_GOES_ON);
+}
+
 size_t path_unbounded_corners(const path_scene *scene, size_t *first) {
   const nc_motion *nc = &scene->nc;
   size_t count = 0;
   for (size_t n = 1; n < scene->motion.lines; n++) {
     const nc_row *row = &nc->row[scene->row_of[n]];
-    if (row->blend == NC_UNBOUNDED && row->share == 1 && row->kind != NC_DWELL) {
+    bool again = scene->row_of[n] == scene->row_of[n - 1]; /* of a dog-leg */
+    if (row->blend == NC_UNBOUNDED && row->share == 1 && row->kind != NC_DWELL && !again) {
       *first = count++ == 0 ? n : *first;
     }
   }

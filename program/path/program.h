@@ -8,6 +8,10 @@
 /* Run the interpreter, and make the path of scene->robot from what the program does. */
 bool path_program_read(path_scene *scene, const path_question *q, sepax_error *error);
 
+/* Replace each rapid in which the axes take their own time by motions that cover all ways between
+ * its ends. All pairs are there. */
+bool path_program_doglegs(path_scene *scene, const path_question *q, sepax_error *error);
+
 /* Fill in how far bodies deviate from linear motion of the joints. All pairs are there. `blended`:
  * also by blending without a bound. */
 bool path_program_deviations(path_scene *scene, bool blended, sepax_error *error);

@@ -55,6 +55,7 @@ void path_scene_free(path_scene *scene) {
   format_motion_free(&scene->motion);
   nc_motion_free(&scene->nc);
   sepax_release(scene->row_of);
+  sepax_release(scene->spread);
   nc_tools_free(&scene->tools);
   for (size_t n = 0; n < scene->stock.snapshots; n++) {
     sepax_soup_free(&scene->stock.snapshot[n].mesh);
@@ -333,6 +334,9 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
   if ((scene->pairs == 0 && !fail_no_pair(scene, q, error)) ||
       (q->table != NULL && !path_rules_apply(scene, q->table, error)) ||
       (q->stock != NULL && q->tools != NULL && !path_cutting_begin(scene, q, error))) {
+    return false;
+  }
+  if (q->dogleg && !path_program_doglegs(scene, q, error)) {
     return false;
   }
   path_rules_count(scene);

@@ -145,7 +145,8 @@ static void print_compared(const path_scene *scene, const path_question *q) {
 }
 
 /* What the path says of its motions beyond the values of joints. */
-static void print_steps(const format_motion *motion) {
+static void print_steps(const path_scene *scene) {
+  const format_motion *motion = &scene->motion;
   size_t kinds[FORMAT_KINDS] = {0};
   size_t breaks = 0;
   double deviation = 0;
@@ -154,7 +155,7 @@ static void print_steps(const format_motion *motion) {
   }
   for (size_t n = 0; n < motion->lines; n++) {
     kinds[motion->step[n].kind]++;
-    breaks += n > 0 && motion->step[n].breaks;
+    breaks += n > 0 && path_way_unknown(scene, n);
     deviation = fmax(deviation, motion->step[n].deviation);
   }
   const char *before = "steps  ";
@@ -209,7 +210,7 @@ static void print_program(const path_scene *scene, const path_question *q) {
   }
   print_notes(&scene->nc.program);
   if (q->dogleg) {
-    puts("rapids each axis takes its own time");
+    puts("rapids each axis takes its own time; all ways between the ends of a rapid count");
   }
 }
 
@@ -232,7 +233,7 @@ static void print_motion(const path_scene *scene, const path_question *q) {
     printf(", %.9g ... %.9g s", motion->time[0], motion->time[last]);
   }
   putchar('\n');
-  print_steps(motion);
+  print_steps(scene);
   if (motion->of_program) {
     print_program(scene, q);
   }
