@@ -368,6 +368,9 @@ typedef struct {
                                the path */
   size_t workloads;
   size_t path;                    /* poses of the path; 0 without a path */
+  const unsigned char *absent;    /* absent[n] is not 0 if the two bodies are not compared in pose n
+                                     of the path. The caller may set it, and frees it. NULL: they
+                                     are compared in each pose */
   struct sepax_size_trees *trees; /* what a tree engine reads on the path; NULL if there is no path
                                      or if W is above 21 */
   bool limited;                   /* this and the next two: as in sepax_space */

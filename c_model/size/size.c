@@ -25,9 +25,9 @@ typedef struct {
 typedef struct {
   const sepax_size *size; /* one for each pair */
   size_t pairs;
-  uint64_t
-      between; /* cycles between two pairs in a pose, for engines that work on a list of jobs */
-  int word;    /* longest word of all pairs, for designs without a tree */
+  uint64_t job, list; /* for engines that work on a list of jobs: cycles of each pair in a pose, and
+                         of all of them, beyond those of their triangles */
+  int word;           /* longest word of all pairs, for designs without a tree */
   int tree_word;
   size_t tree_poses;
   int64_t extent[2];
@@ -36,6 +36,7 @@ typedef struct {
   sepax_sized_design *design; /* all designs of the request, with lower bounds of their cycles */
   size_t count;
   uint64_t *steps; /* sepax__workload_cycles */
+  size_t busiest;  /* the pose with the most work for designs without a tree */
   tree_work *work; /* one for each pose; NULL: no tree engine is considered */
 } choice;
 
@@ -49,7 +50,7 @@ typedef struct {
    * not known. */
   bool (*cycles)(uint64_t *cycles, const sepax_size *size, const sepax_config *config, size_t pose,
                  const sepax_size_request *request, uint64_t *steps, sepax_error *error);
-  bool waits; /* the engine also takes choice.between cycles in each pose */
+  bool waits; /* the engine also takes choice.job and choice.list cycles */
 } sizing;
 
 static const sizing sizings[SEPAX_ENGINE_COUNT];
@@ -59,6 +60,10 @@ static const sizing *sizing_of(const sepax_config *config) {
 }
 
 static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+static bool is_absent(const sepax_size *size, size_t pose) {
+  return size->absent != NULL && size->absent[pose] != 0;
+}
 
 static bool add_design(choice *all, const sepax_config *config, uint64_t least,
                        sepax_error *error) {
@@ -96,18 +101,45 @@ static uint64_t most_passes(const sepax_size *size) {
   return passes;
 }
 
-/* A lower bound of the cycles of all pairs, from the pose in which one pair has the most passes. */
+static uint64_t passes_of(const sepax_size *size, size_t pose) {
+  return pose < size->workloads ? size->workload[pose].passes : 0;
+}
+
+/* The pose with the most pairs of triangles; of several, the one with the most passes. */
+static size_t busiest_pose(const choice *all) {
+  size_t poses = all->size->path > 0 ? all->size->path : all->size->workloads;
+  size_t best = 0;
+  double most[2] = {-1, -1};
+  for (size_t n = 0; n < poses; n++) {
+    double pairs = 0;
+    double passes = 0;
+    for (size_t k = 0; k < all->pairs; k++) {
+      const sepax_size *size = &all->size[k];
+      if (!is_absent(size, n)) {
+        pairs += (double)size->count[0] * (double)size->count[1];
+        passes += (double)passes_of(size, n);
+      }
+    }
+    if (pairs > most[0] || (pairs == most[0] && passes > most[1])) {
+      most[0] = pairs;
+      most[1] = passes;
+      best = n;
+    }
+  }
+  return best;
+}
+
+/* A lower bound of the cycles of all pairs in the slowest pose: those of one pose. */
 static uint64_t least_cycles(const choice *all, const sepax_config *config) {
   uint64_t sum = 0;
-  uint64_t most = 0;
   for (size_t n = 0; n < all->pairs; n++) {
     const sepax_size *size = &all->size[n];
-    uint64_t least = sepax__workload_least_cycles(0, size->count, config);
-    uint64_t passes = most_passes(size);
-    sum += least + loading(size, config);
-    most = larger(most, sepax__workload_least_cycles(passes, size->count, config) - least);
+    if (!is_absent(size, all->busiest)) {
+      sum += sepax__workload_least_cycles(passes_of(size, all->busiest), size->count, config) +
+             loading(size, config);
+    }
   }
-  return sum + most;
+  return sum;
 }
 
 /* Add designs with extents, if these save bits, and without. */
@@ -185,14 +217,17 @@ static bool find_work(choice *all, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", poses);
   }
   for (size_t n = 0; n < poses; n++) {
-    all->work[n].least = all->between;
+    all->work[n].least = all->list;
     for (size_t k = 0; k < all->pairs; k++) {
       sepax_tree_run run;
+      if (is_absent(&all->size[k], n)) {
+        continue;
+      }
       if (!sepax__size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
         return false;
       }
       all->work[n].passes += run.passes;
-      all->work[n].least += run.cycles;
+      all->work[n].least += run.cycles + all->job;
     }
   }
   return true;
@@ -257,7 +292,11 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
                       "cycles: they are not known for %s; choose another design",
                       sepax__engine_of(config)->name);
   }
-  size_t passes = pose < size->workloads ? size->workload[pose].passes : 0;
+  if (is_absent(size, pose)) {
+    *cycles = 0;
+    return true;
+  }
+  size_t passes = (size_t)passes_of(size, pose);
   uint64_t *steps = malloc((passes + 1) * sizeof *steps);
   bool ok = steps != NULL
                 ? of->cycles(cycles, size, config, pose, request, steps, error)
@@ -270,13 +309,16 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
 static bool cycles_in_pose(const choice *all, const sepax_config *config, size_t pose,
                            uint64_t limit, uint64_t *cycles, sepax_error *error) {
   const sizing *of = sizing_of(config);
-  *cycles = of->waits ? all->between : 0;
+  *cycles = of->waits ? all->list : 0;
   for (size_t n = 0; n < all->pairs && *cycles <= limit; n++) {
     uint64_t one;
+    if (is_absent(&all->size[n], pose)) {
+      continue;
+    }
     if (!of->cycles(&one, &all->size[n], config, pose, all->request, all->steps, error)) {
       return false;
     }
-    *cycles += one;
+    *cycles += one + (of->waits ? all->job : 0);
   }
   return true;
 }
@@ -425,6 +467,7 @@ static bool allocate(choice *all, sepax_error *error) {
 static bool size_all(choice *all, sepax_sized_design *sized, sepax_error *error) {
   *sized = (sepax_sized_design){.cycles = 0};
   bool ok = allocate(all, error);
+  all->busiest = busiest_pose(all);
   for (int n = 0; n < SEPAX_ENGINE_COUNT && ok; n++) {
     ok = sizings[n].add == NULL || sizings[n].add(all, error);
   }
@@ -451,9 +494,7 @@ bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
 bool sepax_size_pairs(sepax_sized_design *sized, const sepax_size *size, size_t pairs,
                       const sepax_size_request *request, sepax_error *error) {
   uint64_t latency = (uint64_t)(request->latency > 0 ? request->latency : SEPAX_TREE_LATENCY);
-  choice all = {.size = size,
-                .pairs = pairs,
-                .between = BETWEEN * pairs + latency * (pairs + 1),
-                .request = request};
+  choice all = {
+      .size = size, .pairs = pairs, .job = BETWEEN + latency, .list = latency, .request = request};
   return size_all(&all, sized, error);
 }

@@ -54,7 +54,9 @@ static const struct argp_option options[] = {
     {"page", KEY_PAGE, "FILE", 0,
      "write an HTML page to FILE that shows the bodies and plays the path in a browser", 0},
     {"jobs", KEY_JOBS, "FILE", 0,
-     "write all pairs of bodies in all lines to FILE as jobs of the tree engine", 0},
+     "write all pairs of bodies in all lines to FILE as jobs of the tree engine; with --tools a "
+     "list for each tool, FILE with .T3 before its ending",
+     0},
     {"word", KEY_WORD, "W", 0, "bits of a coordinate in --jobs, 6 ... 21 (default 18)", 0},
     {"lsb", KEY_LSB, "LENGTH", 0,
      "length of one LSB in --jobs (default: the shortest length at which all coordinates fit "
@@ -285,12 +287,6 @@ static bool options_agree(const path_question *q, sepax_error *error) {
   }
   if (q->certificate != NULL && !path_digest_possible(error)) {
     return false;
-  }
-  if (q->jobs != NULL && (q->table != NULL || q->tools != NULL)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "jobs: not with --%s, because the engine compares all lines of a pair; leave "
-                      "one of them out",
-                      q->table != NULL ? "rules" : "tools");
   }
   const char *const read[] = {q->urdf, q->motion, q->srdf, q->table};
   for (int n = 0; n < 4 && q->certificate != NULL; n++) {

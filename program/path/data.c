@@ -262,18 +262,24 @@ static json_t *first_of(const path_scene *scene) {
   return json;
 }
 
-/* The result of --jobs. */
-static json_t *jobs_of(const path_scene *scene, const path_question *q) {
-  const path_jobs *jobs = &scene->jobs;
-  char text[SEPAX_CONFIG_TEXT];
-  char command[SEPAX_CONFIG_TEXT + 16];
-  snprintf(command, sizeof command, "sepax gen %s",
-           sepax_config_text(&jobs->config, text, sizeof text));
-  return json_pack("{s:s, s:I, s:I, s:I, s:I, s:i, s:f, s:i, s:i, s:s}", "file", q->jobs, "jobs",
-                   (json_int_t)scene->pairs, "poses", (json_int_t)scene->motion.lines, "bodies",
-                   (json_int_t)jobs->bodies, "bytes", (json_int_t)jobs->bytes, "word",
-                   jobs->config.word, "lsb_mm", mm_of(jobs->resolution), "clearance_lsb",
-                   jobs->config.clearance, "warning_lsb", jobs->config.warning, "command", command);
+/* The lists of --jobs. */
+static json_t *jobs_of(const path_scene *scene) {
+  json_t *json = json_array();
+  for (size_t n = 0; n < scene->job_lists; n++) {
+    const path_jobs *jobs = &scene->jobs[n];
+    char text[SEPAX_CONFIG_TEXT];
+    char command[SEPAX_CONFIG_TEXT + 16];
+    snprintf(command, sizeof command, "sepax gen %s",
+             sepax_config_text(&jobs->config, text, sizeof text));
+    json_array_append_new(
+        json,
+        json_pack("{s:s, s:I, s:I, s:I, s:I, s:i, s:f, s:i, s:i, s:s}", "file", jobs->file, "jobs",
+                  (json_int_t)jobs->jobs, "poses", (json_int_t)jobs->poses, "bodies",
+                  (json_int_t)jobs->bodies, "bytes", (json_int_t)jobs->bytes, "word",
+                  jobs->config.word, "lsb_mm", mm_of(jobs->resolution), "clearance_lsb",
+                  jobs->config.clearance, "warning_lsb", jobs->config.warning, "command", command));
+  }
+  return json;
 }
 
 /* By the lines of the program, the worst first; null if the path names no lines. */
@@ -335,7 +341,8 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
                                   "bytes", (json_int_t)s->bytes, "seconds", s->seconds));
   }
   if (q->jobs != NULL) {
-    json_object_set_new(json, "jobs", jobs_of(scene, q));
+    json_object_set_new(json, "jobs", jobs_of(scene));
+    json_object_set_new(json, "jobs_left_out", json_integer((json_int_t)scene->jobs_left_out));
   }
   json_object_set_new(json, "seconds", json_real(scene->seconds));
   return json;

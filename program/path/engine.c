@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* engine.c - turns the bodies and lines into input of the tree engine: trees, poses in fixed point
- * and a list of jobs. docs/reference/path-engine.md. */
+/* engine.c - turns the bodies and lines into input of the tree engine: trees and poses in fixed
+ * point. docs/reference/path-engine.md. */
 #include "path/engine.h"
 #include "util/error.h"
 
@@ -40,16 +40,18 @@ static double outer_of(const path_question *q) {
 }
 
 /* The length that must fit into half of the word, and the pair that needs it. */
-static double find_reach(const path_scene *scene, const path_question *q, const path_pair **of) {
+static double find_reach(const path_engine *e, const path_scene *scene, const path_question *q,
+                         const path_pair **of) {
   double most = 0;
-  *of = &scene->pair[0];
-  for (size_t n = 0; n < scene->pairs; n++) {
-    const path_body *a = &scene->body[scene->pair[n].body[0]];
-    const path_body *b = &scene->body[scene->pair[n].body[1]];
+  *of = &scene->pair[e->pair[0]];
+  for (size_t n = 0; n < e->pairs; n++) {
+    const path_pair *pair = &scene->pair[e->pair[n]];
+    const path_body *a = &scene->body[pair->body[0]];
+    const path_body *b = &scene->body[pair->body[1]];
     double reach = fmax(half_size(a) + longest_edge(&b->mesh) + outer_of(q), half_size(b));
     if (reach > most) {
       most = reach;
-      *of = &scene->pair[n];
+      *of = pair;
     }
   }
   return most;
@@ -67,7 +69,7 @@ static double round_up(double x) {
 static bool choose_grid(path_engine *e, const path_scene *scene, const path_question *q,
                         sepax_error *error) {
   const path_pair *of;
-  double reach = find_reach(scene, q, &of);
+  double reach = find_reach(e, scene, q, &of);
   e->word = q->word;
   e->resolution = q->lsb.length;
   if (e->word != 0 && e->resolution == 0) {
@@ -144,7 +146,7 @@ static bool add_tree(path_engine *e, const path_scene *scene, size_t body, sepax
 static bool add_poses(path_engine *e, const path_scene *scene, const path_question *q, size_t n,
                       int64_t margin, sepax_error *error) {
   const format_motion *motion = &scene->motion;
-  const path_pair *pair = &scene->pair[n];
+  const path_pair *pair = &scene->pair[e->pair[n]];
   const sepax_tree *const tree[2] = {e->tree[pair->body[0]], e->tree[pair->body[1]]};
   e->pose[n] = malloc(motion->lines * sizeof *e->pose[n]);
   if (e->pose[n] == NULL) {
@@ -174,14 +176,38 @@ void path_engine_free(path_engine *e) {
   }
   free(e->tree);
   free(e->pose);
+  free(e->pair);
   *e = (path_engine){.tree = NULL};
+}
+
+/* Find the pairs that are asked in a line. */
+static bool find_pairs(path_engine *e, const path_scene *scene, sepax_error *error) {
+  e->pair = calloc(scene->pairs + 1, sizeof *e->pair);
+  if (e->pair == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", scene->pairs);
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    size_t line = 0;
+    while (line < scene->motion.lines && !path_line_asked(scene, &scene->pair[n], line)) {
+      line++;
+    }
+    if (line < scene->motion.lines) {
+      e->pair[e->pairs++] = n;
+    }
+  }
+  return e->pairs > 0 ||
+         sepax_fail(
+             error, SEPAX_ERROR_ARGUMENT,
+             "no pair is for the engine: rules, or the stock as it is cut, decide all pairs");
 }
 
 bool path_engine_make(path_engine *e, const path_scene *scene, const path_question *q,
                       sepax_error *error) {
   sepax_design design;
-  *e = (path_engine){.bodies = scene->bodies, .pairs = scene->pairs};
-  if (!choose_grid(e, scene, q, error) || !choose_bands(e, q, &design, error)) {
+  *e = (path_engine){.bodies = scene->bodies};
+  if (!find_pairs(e, scene, error) || !choose_grid(e, scene, q, error) ||
+      !choose_bands(e, q, &design, error)) {
+    path_engine_free(e);
     return false;
   }
   e->tree = calloc(e->bodies + 1, sizeof(sepax_tree *));
@@ -193,7 +219,7 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
   bool ok = true;
   for (size_t n = 0; n < e->pairs && ok; n++) {
     for (int side = 0; side < 2 && ok; side++) {
-      size_t body = scene->pair[n].body[side];
+      size_t body = scene->pair[e->pair[n]].body[side];
       ok = e->tree[body] != NULL || add_tree(e, scene, body, error);
     }
     ok = ok && add_poses(e, scene, q, n, design.margin[1], error);
@@ -201,72 +227,5 @@ bool path_engine_make(path_engine *e, const path_scene *scene, const path_questi
   if (!ok) {
     path_engine_free(e);
   }
-  return ok;
-}
-
-/* --------------------------------------------------------------------------- list */
-
-/* Make the list of jobs and of the bodies that are in a pair. */
-static bool make_list(sepax_job_list *list, const path_engine *e, const path_scene *scene,
-                      sepax_error *error) {
-  const format_motion *motion = &scene->motion;
-  const sepax_tree **tree = calloc(e->bodies + 1, sizeof *tree);
-  const char **name = calloc(e->bodies + 1, sizeof *name);
-  size_t *number = calloc(e->bodies + 1, sizeof *number);
-  sepax_job_pair *pair = calloc(e->pairs + 1, sizeof *pair);
-  uint32_t *line = calloc(motion->lines + 1, sizeof *line);
-  sepax_job_scene jobs = {.tree = tree,
-                          .name = name,
-                          .pair = pair,
-                          .pairs = e->pairs,
-                          .line = line,
-                          .poses = motion->lines,
-                          .modes = SEPAX_TREE_FIRST | SEPAX_TREE_AGAIN,
-                          .word = e->word,
-                          .clearance = e->clearance,
-                          .warning = e->warning};
-  bool ok = e->tree != NULL && tree != NULL && name != NULL && number != NULL && pair != NULL &&
-            line != NULL;
-  for (size_t n = 0; n < e->bodies && ok; n++) {
-    if (e->tree[n] != NULL) {
-      number[n] = jobs.bodies;
-      name[jobs.bodies] = path_body_name(scene, n);
-      tree[jobs.bodies++] = e->tree[n];
-    }
-  }
-  for (size_t n = 0; n < e->pairs && ok; n++) {
-    const size_t *body = scene->pair[n].body;
-    pair[n] = (sepax_job_pair){{number[body[0]], number[body[1]]}, e->pose[n]};
-  }
-  for (size_t n = 0; n < motion->lines && ok; n++) {
-    line[n] = (uint32_t)motion->line[n];
-  }
-  ok = ok ? sepax_job_list_make(list, &jobs, error)
-          : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for jobs");
-  free(tree);
-  free(name);
-  free(number);
-  free(pair);
-  free(line);
-  return ok;
-}
-
-bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *error) {
-  path_engine engine;
-  sepax_job_list list;
-  sepax_error inner = {0};
-  if (!path_engine_make(&engine, scene, q, &inner)) {
-    return sepax_fail(error, inner.code, "jobs: %.500s", inner.text);
-  }
-  bool ok = make_list(&list, &engine, scene, error) && sepax_job_list_write(&list, q->jobs, error);
-  if (ok) {
-    scene->jobs = (path_jobs){.bodies = list.bodies,
-                              .bytes = list.bytes,
-                              .resolution = engine.resolution,
-                              .config = sepax_config_default()};
-    sepax_job_list_config(&list, &scene->jobs.config);
-  }
-  sepax_job_list_free(&list);
-  path_engine_free(&engine);
   return ok;
 }

@@ -13,7 +13,10 @@ typedef struct {
   sepax_tree **tree; /* the tree of each body, with the origin in its middle; NULL if the body is in
                         no pair */
   size_t bodies;
-  sepax_tree_pose **pose; /* pose[pair][line] */
+  /* The pairs that are asked in a line at least: their numbers in the scene, and their poses,
+   * pose[pair][line]. */
+  size_t *pair;
+  sepax_tree_pose **pose;
   size_t pairs;
 } path_engine;
 

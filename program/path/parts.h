@@ -2,8 +2,8 @@
 /* parts.h - what the parts of sepax path share. command.c and options.c read the options. scene.c
  * makes bodies from links and pairs from bodies. rules.c lets pairs meet. search.c decides each
  * pair in each line. certify.c proves the motion between lines. results.c combines the verdicts.
- * certificate.c writes the proof. engine.c makes jobs. text.c, data.c, picture.c and page.c print
- * and write the results. */
+ * certificate.c writes the proof. engine.c and jobs.c make jobs. text.c, data.c, picture.c and
+ * page.c print and write the results. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -141,9 +141,10 @@ typedef struct {
   path_proof proof;
 } path_pair;
 
-/* The list of jobs that path_write_jobs wrote. */
+/* A list of jobs that path_write_jobs wrote. */
 typedef struct {
-  size_t bodies, bytes;
+  char *file;
+  size_t jobs, poses, bodies, bytes;
   double resolution;
   sepax_config config; /* a design for the list */
 } path_jobs;
@@ -188,7 +189,8 @@ typedef struct {
   /* Numbers of pairs that are not compared: links of one joint, links that no joint moves against
    * each other, pairs disabled by the SRDF. */
   size_t joined, rigid, disabled;
-  path_jobs jobs;
+  path_jobs *jobs;                 /* of --jobs: a list, or one for each tool */
+  size_t job_lists, jobs_left_out; /* number of lists; of pairs that are in none */
   path_stock stock;
   double gouge; /* how deep flutes may be in the finished part, metres */
   bool between; /* --certify has run */

@@ -49,6 +49,10 @@ void path_scene_free(path_scene *scene) {
   free(scene->body);
   free(scene->body_of);
   free(scene->partner);
+  for (size_t n = 0; n < scene->job_lists; n++) {
+    free(scene->jobs[n].file);
+  }
+  free(scene->jobs);
   free(scene->pair);
   sepax_srdf_free(&scene->srdf);
   sepax_robot_free(&scene->robot);

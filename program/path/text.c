@@ -199,17 +199,24 @@ static void print_certificate(const path_scene *scene, const path_question *q) {
   }
 }
 
-static void print_jobs(const path_scene *scene, const path_question *q) {
-  const path_jobs *jobs = &scene->jobs;
+static void print_jobs(const path_scene *scene) {
   char text[SEPAX_CONFIG_TEXT];
-  printf(
-      "jobs   %s, %zu jobs of %zu poses, %zu trees, %zu bytes; 1 LSB = %.9g mm, clearance %d LSB",
-      q->jobs, scene->pairs, scene->motion.lines, jobs->bodies, jobs->bytes,
-      path_mm(jobs->resolution), jobs->config.clearance);
-  if (jobs->config.warning > 0) {
-    printf(", warning %d LSB", jobs->config.warning);
+  for (size_t n = 0; n < scene->job_lists; n++) {
+    const path_jobs *jobs = &scene->jobs[n];
+    printf("%-7s%s, %zu jobs of %zu poses, %zu trees, %zu bytes; 1 LSB = %.9g mm, clearance %d LSB",
+           n == 0 ? "jobs" : "", jobs->file, jobs->jobs, jobs->poses, jobs->bodies, jobs->bytes,
+           path_mm(jobs->resolution), jobs->config.clearance);
+    if (jobs->config.warning > 0) {
+      printf(", warning %d LSB", jobs->config.warning);
+    }
+    putchar('\n');
   }
-  printf("\nsepax gen %s -o DIR\n", sepax_config_text(&jobs->config, text, sizeof text));
+  if (scene->jobs_left_out > 0) {
+    printf("%-7s", "");
+    report_print_count(scene->jobs_left_out, "pair");
+    puts(" left out, because rules or the stock as it is cut decide when they may meet");
+  }
+  printf("sepax gen %s -o DIR\n", sepax_config_text(&scene->jobs->config, text, sizeof text));
 }
 
 void path_print_text(const path_scene *scene, const path_question *q) {
@@ -229,7 +236,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
     putchar('\n');
   }
   if (q->jobs != NULL) {
-    print_jobs(scene, q);
+    print_jobs(scene);
   }
   for (size_t n = 0; n < scene->pairs; n++) {
     if (!path_is_in_summary(scene, &scene->pair[n])) {

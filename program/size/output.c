@@ -101,7 +101,7 @@ static void print_bodies(const size_options *o, const size_answer *answer) {
     printf("%-*s%s, %zu triangles\n", WIDTH, "body", path_body_name(scene, n),
            scene->body[n].triangles);
   }
-  printf("%-*s%zu of %zu are compared\n", WIDTH, "pairs", scene->pairs,
+  printf("%-*s%zu of %zu are compared\n", WIDTH, "pairs", e->pairs,
          scene->pairs + scene->joined + scene->rigid + scene->disabled);
   printf("%-*s%s, %zu poses, in lines %zu ... %zu\n", WIDTH, "path", o->path[1],
          scene->motion.lines, scene->motion.line[0], scene->motion.line[scene->motion.lines - 1]);
@@ -120,8 +120,9 @@ static void print_lines(const size_options *o, const size_answer *answer) {
   for (size_t n = 0; n < answer->pairs; n++) {
     const size_pair *p = &answer->each[n];
     char name[96];
-    snprintf(name, sizeof name, "%.40s, %.40s", path_body_name(scene, scene->pair[n].body[0]),
-             path_body_name(scene, scene->pair[n].body[1]));
+    snprintf(name, sizeof name, "%.40s, %.40s",
+             path_body_name(scene, size_pair_of(answer, n)->body[0]),
+             path_body_name(scene, size_pair_of(answer, n)->body[1]));
     printf("%-*s%-42s %11llu %11.0f %7zu\n", WIDTH, "", name, (unsigned long long)p->worst, p->mean,
            worst_of(answer, p->line));
   }
@@ -219,10 +220,10 @@ static json_t *body_json(const path_scene *scene, size_t n) {
 static json_t *pair_json(const size_answer *answer, size_t n) {
   const path_scene *scene = &answer->scene;
   const size_pair *p = &answer->each[n];
-  return json_pack("{s:s, s:s, s:I, s:I, s:f}", "a", path_body_name(scene, scene->pair[n].body[0]),
-                   "b", path_body_name(scene, scene->pair[n].body[1]), "cycles",
-                   (json_int_t)p->worst, "worst_line", (json_int_t)worst_of(answer, p->line),
-                   "mean_cycles", p->mean);
+  return json_pack(
+      "{s:s, s:s, s:I, s:I, s:f}", "a", path_body_name(scene, size_pair_of(answer, n)->body[0]),
+      "b", path_body_name(scene, size_pair_of(answer, n)->body[1]), "cycles", (json_int_t)p->worst,
+      "worst_line", (json_int_t)worst_of(answer, p->line), "mean_cycles", p->mean);
 }
 
 static void print_scene_json(const size_options *o, const size_answer *answer) {

@@ -43,6 +43,7 @@ typedef struct {
   size_t pairs;
   path_scene scene; /* for a machine, as the next fields: */
   path_engine engine;
+  unsigned char *absent; /* absent[pair * lines + line]: the pair is not asked in the line */
   size_pair *each;
   size_best with[SEPAX_ENGINE_COUNT];
   const sepax_sized_design *best; /* the best of all engines */
@@ -65,6 +66,7 @@ enum { SIZE_WIDTH = 11 }; /* width of the first word of a line */
 
 /* Measure all pairs of a machine in each line. After false the answer can be freed. */
 bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error);
+const path_pair *size_pair_of(const size_answer *answer, size_t n);
 /* Find the cycles of each pair with the best design. */
 bool size_scene_tell(size_answer *answer, const size_options *o, sepax_error *error);
 void size_scene_free(size_answer *answer);

@@ -7,9 +7,14 @@
 #include <stdlib.h>
 
 void size_scene_free(size_answer *answer) {
+  free(answer->absent);
   path_engine_free(&answer->engine);
   path_scene_free(&answer->scene);
   free(answer->each);
+}
+
+const path_pair *size_pair_of(const size_answer *answer, size_t n) {
+  return &answer->scene.pair[answer->engine.pair[n]];
 }
 
 /* The pose of B in A's coordinates. The rotations are orthonormal up to rounding. */
@@ -33,7 +38,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
                          sepax_error *error) {
   const path_scene *scene = &answer->scene;
   const format_motion *motion = &scene->motion;
-  const path_pair *pair = &scene->pair[n];
+  const path_pair *pair = size_pair_of(answer, n);
   sepax_poses path = {calloc(motion->lines, sizeof *path.pose), motion->lines};
   if (path.pose == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", motion->lines);
@@ -62,7 +67,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
 /* Take the trees of the list of jobs, which a tree engine reads. */
 static bool share_trees(sepax_size *size, const size_answer *answer, size_t n, sepax_error *error) {
   const path_engine *e = &answer->engine;
-  const size_t *body = answer->scene.pair[n].body;
+  const size_t *body = size_pair_of(answer, n)->body;
   struct sepax_size_trees *trees = calloc(1, sizeof *trees);
   if (trees == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for trees");
@@ -83,19 +88,24 @@ static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error
   const path_scene *scene = &answer->scene;
   const path_engine *e = &answer->engine;
   double triangles = 0;
-  for (size_t n = 0; n < scene->pairs; n++) {
-    const size_t *body = scene->pair[n].body;
+  for (size_t n = 0; n < e->pairs; n++) {
+    const size_t *body = size_pair_of(answer, n)->body;
     triangles += (double)scene->body[body[0]].triangles * (double)scene->body[body[1]].triangles;
   }
-  answer->size = calloc(scene->pairs + 1, sizeof *answer->size);
-  if (answer->size == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", scene->pairs);
+  size_t lines = scene->motion.lines;
+  answer->size = calloc(e->pairs + 1, sizeof *answer->size);
+  answer->absent = calloc(e->pairs * lines + 1, 1);
+  if (answer->size == NULL || answer->absent == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu pairs", e->pairs);
   }
   bool ok = true;
-  cli_progress progress = cli_progress_begin("pairs", scene->pairs);
-  for (size_t n = 0; n < scene->pairs && ok; n++) {
+  cli_progress progress = cli_progress_begin("pairs", e->pairs);
+  for (size_t n = 0; n < e->pairs && ok; n++) {
     sepax_size *size = &answer->size[answer->pairs++];
-    const size_t *body = scene->pair[n].body;
+    const size_t *body = size_pair_of(answer, n)->body;
+    for (size_t line = 0; line < lines; line++) {
+      answer->absent[n * lines + line] = !path_line_asked(scene, size_pair_of(answer, n), line);
+    }
     *size = (sepax_size){.grid = {.resolution = e->resolution, .word = e->word},
                          .count = {scene->body[body[0]].triangles, scene->body[body[1]].triangles},
                          .path = scene->motion.lines,
@@ -105,6 +115,7 @@ static bool measure_pairs(size_answer *answer, double cycles, sepax_error *error
     cli_progress_show(&progress, n);
     ok = (triangles > cycles * SEPAX_LANES_MAX || measure_pair(size, answer, n, error)) &&
          share_trees(size, answer, n, error);
+    size->absent = &answer->absent[n * lines];
   }
   cli_progress_end(&progress);
   return ok;
@@ -126,17 +137,21 @@ bool size_scene_tell(size_answer *answer, const size_options *o, sepax_error *er
   }
   for (size_t n = 0; n < answer->pairs; n++) {
     size_pair *p = &answer->each[n];
+    size_t asked = 0;
     for (size_t line = 0; line < lines; line++) {
       uint64_t cycles;
+      if (answer->size[n].absent[line] != 0) {
+        continue;
+      }
       if (!sepax_size_cycles(&cycles, &answer->size[n], &answer->best->config, line, &o->request,
                              error)) {
         return false;
       }
-      p->line = line == 0 || cycles > p->worst ? line : p->line;
+      p->line = asked++ == 0 || cycles > p->worst ? line : p->line;
       p->worst = cycles > p->worst ? cycles : p->worst;
       p->mean += (double)cycles;
     }
-    p->mean /= (double)lines;
+    p->mean /= (double)asked;
   }
   return true;
 }
