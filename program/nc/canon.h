@@ -68,7 +68,8 @@ typedef struct {
 typedef struct {
   int axis; /* that it moves */
   bool angular;
-  double least, most; /* limits in mm or degrees */
+  double least, most;  /* limits in mm or degrees */
+  double acceleration; /* its greatest, in mm/s^2 or degrees/s^2; 0: not known */
 } nc_joint;
 
 typedef struct {
@@ -85,6 +86,7 @@ typedef struct {
   size_t machine_words;
   nc_parameter parameter[NC_PARAMETERS_MOST];
   size_t parameters;
+  double servo; /* period of the servo loop, s; 0: not known */
   nc_joint joint[NC_JOINTS_MOST];
   size_t joints;
   nc_tool *tool;

@@ -83,6 +83,13 @@ bool nc_read_parameter(nc_reader *r) {
   return true;
 }
 
+bool nc_read_servo(nc_reader *r) {
+  double *period = &r->program->servo;
+  return nc_take_number(&r->words, "servo period", period) &&
+         ((*period >= 0 && *period <= 1) ||
+          nc_refuse(&r->words, "%.9g s is no period of a servo loop", *period));
+}
+
 bool nc_read_joint(nc_reader *r) {
   static const char *const kinds[] = {"linear", "angular", NULL};
   nc_program *p = r->program;
@@ -110,10 +117,16 @@ bool nc_read_joint(nc_reader *r) {
                      kinds[angular], nc_letter(axis), kinds[1 - angular]);
   }
   if (!nc_take_number(&r->words, "lower limit", &to->least) ||
-      !nc_take_number(&r->words, "upper limit", &to->most)) {
+      !nc_take_number(&r->words, "upper limit", &to->most) ||
+      (r->words.rest != NULL &&
+       !nc_take_number(&r->words, "greatest acceleration", &to->acceleration))) {
     return false;
   }
   p->joints++;
+  if (to->acceleration < 0) {
+    return nc_refuse(&r->words, "joint %ld: %.9g is no greatest acceleration", number,
+                     to->acceleration);
+  }
   return to->least <= to->most ||
          nc_refuse(&r->words, "joint %ld: its lower limit is above its upper limit", number);
 }

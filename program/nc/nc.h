@@ -17,9 +17,12 @@
  * What is taken for granted: the control moves as way.h says, without the rounding of its own
  * doubles (about 1e-12 mm), and the drives follow. LinuxCNC smooths each joint: what it commands is
  * (p + 4 q + r) / 6 of the joint's positions p, q, r in three servo periods. So a commanded joint
- * differs from the way by at most a sixth of its acceleration times the period squared: 1 um at
- * 6 m/s^2, 10 urad at 60 rad/s^2, for 1 ms. nc_rules.servo_linear and servo_angular are these
- * bounds; blending[j] has them for joints that move.
+ * differs from the way by at most a sixth of its acceleration times the period squared. The stream
+ * tells the period and the greatest acceleration of each axis, and twice that acceleration is
+ * taken, because parts of two motions add up. If joints are not axes, they may accelerate faster
+ * than axes do; 1 um and 10 urad, which are 6 m/s^2 and 60 rad/s^2 for 1 ms, are then taken if they
+ * are more, and also where the stream does not tell. nc_rules.servo_linear and servo_angular take
+ * the place of all this; blending[j] has the bounds for joints that move.
  *
  * Blending. At the corner c between two motions the control may start the second before the first
  * has ended. LinuxCNC adds the parts: the position of the axes is c - a(t) + b(t), with a(t) what
@@ -61,8 +64,8 @@ typedef struct {
 
 typedef struct {
   double linear, angular; /* tolerances in m and rad; 0: 1e-6 */
-  double servo_linear;    /* by smoothing, m; 0: 1e-6; below 0: none */
-  double servo_angular;   /* by smoothing, rad; 0: 1e-5; below 0: none */
+  double servo_linear;    /* by smoothing, m; 0: as said above; below 0: none */
+  double servo_angular;   /* by smoothing, rad; 0: as said above; below 0: none */
   bool dogleg;            /* rapids are dog-legs: mark their rows */
   bool ignore_limits;     /* accept joints beyond their limits */
 } nc_rules;

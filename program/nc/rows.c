@@ -51,6 +51,22 @@ bool nc_rows_part(nc_rows *r, const nc_part *part) {
   return true;
 }
 
+/* How far smoothing takes a joint off its way, in m or rad (nc.h). The control keeps the
+ * acceleration of axes. Where joints are not axes, they may accelerate faster, so the default is a
+ * floor there. */
+static double smoothing_of(const nc_rows *r, const nc_joint *joint, bool trivial) {
+  double given = joint->angular ? r->rules.servo_angular : r->rules.servo_linear;
+  double plain = joint->angular ? 1e-5 : 1e-6;
+  double period = r->motion->program.servo;
+  double fastest = nc_kinematics_metric(joint->angular, nc_point(joint->acceleration)).hi;
+  double bound = 2 * fastest * period * period / 6 * (1 + 0x1p-40);
+  if (given != 0) {
+    return fmax(given, 0);
+  }
+  bool told = joint->acceleration > 0 && period > 0;
+  return !told ? plain : trivial ? bound : fmax(bound, plain);
+}
+
 bool nc_rows_begin(nc_rows *r) {
   const nc_program *p = &r->motion->program;
   nc_kinematics k;
@@ -61,7 +77,7 @@ bool nc_rows_begin(nc_rows *r) {
     const nc_joint *joint = &p->joint[n];
     r->least[n] = nc_kinematics_metric(joint->angular, nc_point(joint->least)).lo;
     r->most[n] = nc_kinematics_metric(joint->angular, nc_point(joint->most)).hi;
-    r->motion->smoothing[n] = joint->angular ? r->rules.servo_angular : r->rules.servo_linear;
+    r->motion->smoothing[n] = smoothing_of(r, joint, k.module == NC_TRIVIAL);
   }
   r->motion->joints = p->joints;
   return true;

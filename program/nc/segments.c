@@ -6,7 +6,6 @@
 
 #include <string.h>
 
-static const double servo_linear = 1e-6, servo_angular = 1e-5;
 static const double tolerance_default = 1e-6, tolerance_least = 1e-12;
 
 /* The shortest piece of a motion. */
@@ -325,8 +324,6 @@ static bool check_rules(nc_rules *rules, const nc_rules *given, sepax_error *err
   *rules = given != NULL ? *given : (nc_rules){0};
   rules->linear = rules->linear == 0 ? tolerance_default : rules->linear;
   rules->angular = rules->angular == 0 ? tolerance_default : rules->angular;
-  rules->servo_linear = fmax(rules->servo_linear == 0 ? servo_linear : rules->servo_linear, 0);
-  rules->servo_angular = fmax(rules->servo_angular == 0 ? servo_angular : rules->servo_angular, 0);
   return (rules->linear >= tolerance_least && rules->angular >= tolerance_least) ||
          sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a tolerance is below %g m or rad; give more",
                     tolerance_least);

@@ -3,6 +3,8 @@
  * farther apart than any of their points moves, then they do not meet.
  * docs/reference/mechanisms.md#between-the-lines. */
 #include "path/certify.h"
+#include "distance/swept.h"
+#include "mechanism/steps.h"
 #include "util/error.h"
 #include "util/threads.h"
 #include "util/vector.h"
@@ -45,11 +47,12 @@ typedef struct {
   sepax_distance_result last;
   bool has_last;
   path_interval at;
-  double least, most; /* the distance at the middle, if it is not large enough */
-  int step;           /* how many tolerances the distance has been measured with */
-  size_t left;        /* how many more parts may be examined until one stays open */
-  size_t behind;      /* and in all segments behind that */
-  way_part *queue;    /* QUEUE entries */
+  double least, most;    /* the distance at the middle, if it is not large enough */
+  int step;              /* how many tolerances the distance has been measured with */
+  size_t left;           /* how many more parts may be examined until one stays open */
+  size_t behind;         /* and in all segments behind that */
+  way_part *queue;       /* QUEUE entries */
+  unsigned waits, pause; /* sweeps: not before so many more parts; after the next that fails */
 } asking;
 
 enum { QUEUE = 2 * BEHIND + 2 * LEVELS_MOST + 2 };
@@ -186,6 +189,57 @@ static bool narrow(asking *a, sepax_error *error) {
   return true;
 }
 
+/* ----------------------------------------------------------------------------- sweeps */
+
+/* Comparisons of a sweep, and how many parts go by after sweeps that failed. A sweep takes as long
+ * as some tens of queries, so it is for bodies that slide along each other. */
+enum { SWEEP_WORK = 4096, PAUSE_MOST = 63, SWEEP_FROM = 4 };
+
+/* The pose of the first body as seen from the second. */
+static sepax_pose seen(const asking *a, const double *value) {
+  sepax_pose pose[2];
+  sepax_pose r = {.translation = {0}};
+  sepax_chain_poses(&a->pair->chain, &a->all->scene->robot.mechanism, value, pose);
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      double turned = pose[1].rotation[k][i];
+      r.translation[i] += turned * (pose[0].translation[k] - pose[1].translation[k]);
+      for (int j = 0; j < 3; j++) {
+        r.rotation[i][j] += turned * pose[0].rotation[k][j];
+      }
+    }
+  }
+  return r;
+}
+
+/* Do the bodies slide along each other far enough apart? The way of each point is straight but for
+ * its bend, so what counts is how near the hulls of the ways come (lib/distance/swept.c). */
+static bool slides_apart(asking *a) {
+  double left = a->least - clearance_of(a);
+  double box[2][3];
+  if (!(a->at.bound > SWEEP_FROM * left) || !(left > 0)) {
+    return false;
+  }
+  if (a->waits > 0) {
+    a->waits--;
+    return false;
+  }
+  memcpy(box[0], a->body[0]->least, sizeof box[0]);
+  memcpy(box[1], a->body[0]->most, sizeof box[1]);
+  double bend = sepax__chain_bend(&a->pair->chain, &a->all->scene->robot.mechanism, a->value[0],
+                                  a->value[1], a->value[2], box);
+  if (!(bend < left / 2)) {
+    return false;
+  }
+  sepax_pose from = seen(a, a->value[0]);
+  sepax_pose to = seen(a, a->value[2]);
+  double need = (clearance_of(a) + bend) * (1 + 0x1p-40);
+  bool yes = sepax__swept_apart(a->body[0]->body, &from, &to, a->body[1]->body, need, SWEEP_WORK);
+  a->pause = yes ? 0 : a->pause < PAUSE_MOST ? 2 * a->pause + 1 : PAUSE_MOST;
+  a->waits = a->pause;
+  return yes;
+}
+
 /* Certify a part of a segment if possible. If not, the distance at its middle is measured. */
 static bool ask(asking *a, bool *certified, sepax_error *error) {
   static const sepax_apart_request request = {.size = sizeof(sepax_apart_request)};
@@ -205,7 +259,14 @@ static bool ask(asking *a, bool *certified, sepax_error *error) {
   }
   a->step = 0;
   *certified = r.verdict == SEPAX_APART;
-  return *certified || narrow(a, error);
+  if (*certified) {
+    return true;
+  }
+  if (!narrow(a, error)) {
+    return false;
+  }
+  *certified = slides_apart(a);
+  return true;
 }
 
 static bool keep(asking *a, sepax_error *error) {

@@ -95,9 +95,9 @@ static const struct argp_option options[] = {
      "most LENGTH, or as many radians as LENGTH has metres, from linear motion (default 1um)",
      0},
     {"smoothing", KEY_SMOOTHING, "LENGTH", 0,
-     "how far the control's smoothing takes a linear joint off its way: a sixth of its "
-     "acceleration times the square of the servo period (default 1um, and ten times as many "
-     "radians of a rotary joint as a linear one has metres)",
+     "how far the control's smoothing takes a linear joint off its way, with ten times as many "
+     "radians of a rotary joint as LENGTH has metres (default: a third of the acceleration in "
+     "the ini times the square of the servo period)",
      0},
     {0}};
 

@@ -121,7 +121,14 @@ class Machine:
         unit = self.scale if linear else 1.0
         low, high, home = (self.ini.number(section, name, default) * unit for name, default in
                            (("MIN_LIMIT", -1e99), ("MAX_LIMIT", 1e99), ("HOME", 0.0)))
-        return self.letters[number], "linear" if linear else "angular", low, high, home
+        fastest = max(self.ini.number(name, "MAX_ACCELERATION", 0.0) * unit
+                      for name in (section, f"AXIS_{self.letters[number]}"))
+        kind = "linear" if linear else "angular"
+        return self.letters[number], kind, low, high, fastest, home
+
+    def servo_period(self):
+        """In seconds; 0 if the ini does not tell it."""
+        return self.ini.number("EMCMOT", "SERVO_PERIOD", 0.0) * 1e-9
 
     def axis_mask(self):
         """The bits of the axes that [TRAJ]COORDINATES names."""

@@ -75,7 +75,7 @@ class Job:
     def _home(self):
         """Where the axes are when all joints are at HOME."""
         values = {n: c for n, (c, _) in self.parameters.items()}
-        homes = [home for _, _, _, _, home in self.machine.joints]
+        homes = [joint[-1] for joint in self.machine.joints]
         return self.kinematics.axes(0, homes, values, [0.0] * 9)
 
     def _change_position(self):
@@ -110,8 +110,9 @@ class Job:
         yield " ".join(["machine", machine.kins, *machine.words])
         for name, (value, times) in self.parameters.items():
             yield f"parameter {name} {value!r}" + (" z" if times else "")
-        for number, (axis, kind, low, high, _) in enumerate(machine.joints):
-            yield f"joint {number} {axis} {kind} {low!r} {high!r}"
+        yield f"servo {machine.servo_period()!r}"
+        for number, (axis, kind, low, high, fastest, _) in enumerate(machine.joints):
+            yield f"joint {number} {axis} {kind} {low!r} {high!r} {fastest!r}"
         for tool in self.tools:
             offset = [v * machine.scale if i in LENGTHS else v for i, v in enumerate(tool.offset)]
             width = tool.diameter * machine.scale

@@ -8,7 +8,7 @@ static const char good[] = "sepax-nc 1\n"                                       
                            "parameter y-offset 20\n"                               /* 4 */
                            "parameter tool-offset 1.5 z\n"                         /* 5 */
                            "joint 0 X linear -10 10.5\n"                           /* 6 */
-                           "joint 1 A angular -1e-05 90\n"                         /* 7 */
+                           "joint 1 A angular -1e-05 90 720\n"                     /* 7 */
                            "tool 3 1 6.0 0 0 42.5 0 0 0 0 0 0 end mill, of 6 mm\n" /* 8 */
                            "tool 4 2 8.0 0 0 1 0 0 0 0 0 0 \n"                     /* 9 */
                            "start home 0 0 1 0 0 0 0 0 0\n"                        /* 10 */
@@ -48,6 +48,7 @@ CASE(test_all_records) {
   assert_true(p.parameters == 2 && p.parameter[1].follows && !p.parameter[0].follows);
   assert_true(p.joints == 2 && p.joint[0].most == 10.5 && p.joint[1].least == -1e-5);
   assert_true(p.joint[1].axis == NC_A && p.joint[1].angular);
+  assert_true(p.joint[0].acceleration == 0 && p.joint[1].acceleration == 720);
   assert_true(p.tools == 2 && p.tool[0].offset[NC_Z] == 42.5);
   assert_string_equal(p.tool[0].comment, "end mill, of 6 mm");
   assert_string_equal(p.tool[1].comment, "");
@@ -102,6 +103,10 @@ CASE(test_head) {
   refuse(6, "joint 0 XY linear -10 10\n", "none of: XYZABCUVW");
   refuse(6, "joint 0 X angular -10 10\n", "axis X is linear");
   refuse(6, "joint 0 X linear 10 -10\n", "lower limit");
+  refuse(6, "joint 0 X linear -10 10 -1\n", "greatest acceleration");
+  refuse(6, "joint 0 X linear -10 10 1 2\n", "too many");
+  refuse(6, "servo -0.001\n", "no period");
+  refuse(6, "servo\n", "ends before servo period");
   refuse(6, "joint 0 X linear -10\n", "ends before upper limit");
   refuse(9, "tool 3 1 6.0 0 0 42.5 0 0 0 0 0 0 again\n", "two records");
   refuse(9, "tool 5 1 6.0 0 0\n", "ends before offset");

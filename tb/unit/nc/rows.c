@@ -83,6 +83,35 @@ CASE(test_no_way) {
   nc_motion_free(&m);
 }
 
+/* Smoothing by the servo period and twice the acceleration, where the joints are the axes; else no
+ * less than the default. */
+CASE(test_smoothing) {
+  static const char *const machine[2] = {"trivkins", "xyzac-trt-kins"};
+  static const char *const linear[4] = {" 600", " 60000", "", " 0"};
+  static const double most[2][4] = {{2e-7, 2e-5, 1e-6, 1e-6}, {1e-6, 2e-5, 1e-6, 1e-6}};
+  for (int n = 0; n < 16; n++) {
+    const double *off = &most[n % 2][n / 4];
+    stream t;
+    nc_motion m;
+    text_begin(&t);
+    fprintf(t.out, "sepax-nc 1\nfile 0 a.ngc\nmachine %s\n%s%s", machine[n % 2],
+            n % 2 == 0 ? "" : trt, n / 2 % 2 == 0 ? "servo 0.001\n" : "");
+    for (int j = 0; j < 3; j++) {
+      fprintf(t.out, "joint %d %c linear -100 100%s\n", j, "XYZ"[j], linear[n / 4]);
+    }
+    fprintf(t.out, "joint 3 %c angular -100 100\njoint 4 C angular -100 100 %.17g\n", 'A',
+            2 * 180 / PI);
+    fprintf(t.out, "start given 0 0 0 0 0 0 0 0 0\nmove rapid 0 1 1 1 1 1 0 1 0 0 0\nend 0 2\n");
+    assert_works(text_read(&t, &m, NULL));
+    bool told = n / 2 % 2 == 0;
+    assert_true(fabs(m.smoothing[0] / (told ? *off : 1e-6) - 1) < 1e-9);
+    assert_true(m.smoothing[3] == 1e-5);
+    assert_true(fabs(m.smoothing[4] / (told && n % 2 == 0 ? 2 * 2e-6 / 6 : 1e-5) - 1) < 1e-9);
+    assert_true(fabs(m.blending[m.joints] - m.smoothing[0]) < 1e-15);
+    nc_motion_free(&m);
+  }
+}
+
 CASE(test_blends) {
   nc_motion m = rows_of("blend 0 1 exact\n"
                         "move feed 0 2 10 0 0 0 0 0 0 0 0\n"
