@@ -251,9 +251,11 @@ bool sepax__stock_hit(const sepax__stock *stock, const sepax__stock_shape *shape
 bool sepax__stock_write(const sepax__stock *stock, const char *path, sepax_error *error);
 bool sepax__stock_read(sepax__stock **stock, const char *path, sepax_error *error);
 
-/* The surface of the cells that are there: two triangles for each face of a cell between material
- * and none. The mesh is closed and its triangles are turned outward. Errors: LIMIT on more than
- * `most` triangles; MEMORY. The soup is empty if there is no cell. */
+/* The surface of the cells that are there: rectangles of faces between material and none, two
+ * triangles each. The mesh is closed (sepax_shell_find) and its triangles are turned outward; a
+ * corner may be in the middle of another triangle's edge, exactly. Cost: some nanoseconds for each
+ * brick and each face, twice. Errors: LIMIT on more than `most` triangles; MEMORY. The soup is
+ * empty if there is no cell. */
 bool sepax__stock_mesh(const sepax__stock *stock, size_t most, sepax_soup *soup,
                        sepax_error *error);
 

@@ -6,8 +6,8 @@
 
 static const double box[2][3] = {{-4, -3, -2}, {4, 3, 2.5}};
 
-static sepax__stock *draw_stock(int n) {
-  sepax__stock *s = full_stock(n % 2 == 0 ? SEPAX__STOCK_OUTER : SEPAX__STOCK_INNER, box, 0.21);
+static sepax__stock *draw_cells(int n, double cell) {
+  sepax__stock *s = full_stock(n % 2 == 0 ? SEPAX__STOCK_OUTER : SEPAX__STOCK_INNER, box, cell);
   for (int k = 0; k < 3; k++) {
     tool t = make_tool(n + k, 0.01);
     move m = draw_move(k == 0, reach_of(&t));
@@ -15,6 +15,8 @@ static sepax__stock *draw_stock(int n) {
   }
   return s;
 }
+
+static sepax__stock *draw_stock(int n) { return draw_cells(n, 0.21); }
 
 static uint8_t *read_bytes(size_t *count) {
   FILE *in = fopen(path, "rb");
@@ -161,6 +163,64 @@ CASE(the_surface_is_closed_and_holds_the_cells) {
     sepax_soup_free(&m);
     sepax__stock_free(s);
   }
+}
+
+/* The area of the faces between cells that are there and others, by direction: the cells' own, and
+ * that of the triangles, which are all in planes across an axis. */
+static void measure_cells(const sepax__stock *s, double area[6]) {
+  sepax__stock_facts f = sepax__stock_look(s);
+  for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
+    for (int side = 0; side < 6 && has_cell(s, &f, at); side++) {
+      int beside[3] = {at[0], at[1], at[2]};
+      beside[side / 2] += side % 2 == 0 ? 1 : -1;
+      bool in = beside[side / 2] >= 0 && beside[side / 2] < cells_along(&f, side / 2);
+      area[side] += !in || !has_cell(s, &f, beside) ? f.cell * f.cell : 0;
+    }
+  }
+}
+
+static void measure_triangles(const sepax_soup *m, double area[6]) {
+  for (size_t n = 0; n < m->count; n++) {
+    const double(*v)[3] = m->facet[n].v;
+    int across = -1;
+    for (int i = 0; i < 3; i++) {
+      across = v[0][i] == v[1][i] && v[0][i] == v[2][i] ? i : across;
+    }
+    assert_true(across >= 0);
+    int j = (across + 1) % 3;
+    int k = (across + 2) % 3;
+    double twice =
+        (v[1][j] - v[0][j]) * (v[2][k] - v[0][k]) - (v[1][k] - v[0][k]) * (v[2][j] - v[0][j]);
+    area[2 * across + (twice < 0)] += fabs(twice) / 2;
+  }
+}
+
+/* With cells of 0.1 rows have more than 64 faces. Flat faces take few triangles: at most a third of
+ * two for each face of a cell. */
+CASE(rectangles_cover_the_faces_of_each_direction) {
+  for (int n = 0; n < 6; n++) {
+    sepax__stock *s = draw_cells(n, n < 3 ? 0.21 : 0.1);
+    sepax_soup m;
+    double area[2][6] = {{0}, {0}};
+    double all = 0;
+    assert_works(sepax__stock_mesh(s, 1000000, &m, &fault));
+    measure_cells(s, area[0]);
+    measure_triangles(&m, area[1]);
+    for (int side = 0; side < 6; side++) {
+      assert_true(fabs(area[0][side] - area[1][side]) < 1e-9 * area[0][side]);
+      all += area[0][side];
+    }
+    double cell = sepax__stock_look(s).cell;
+    assert_true((double)m.count < 2 * all / (cell * cell) / 3);
+    sepax_soup_free(&m);
+    sepax__stock_free(s);
+  }
+  sepax__stock *s = full_stock(SEPAX__STOCK_OUTER, box, 0.1);
+  sepax_soup m;
+  assert_works(sepax__stock_mesh(s, 12, &m, &fault));
+  assert_int_equal(m.count, 12);
+  sepax_soup_free(&m);
+  sepax__stock_free(s);
 }
 
 CASE(no_cells_have_no_surface) {
