@@ -7,6 +7,7 @@ import time
 
 START = "sepax: start"  # a comment that the front end executes before the program
 SPLINES = (50, 51, 52, 53)
+SPINDLE = (330, 331, 760)  # G33, G33.1, G76: the spindle drives the feed
 
 
 class Canon:
@@ -91,6 +92,7 @@ class Canon:
 
     def next_line(self, state):
         self.line = state.sequence_number
+        self.job.last[:8] = self.line.to_bytes(8, "little")
 
     def check_abort(self):
         if time.monotonic() > self.deadline:
@@ -219,7 +221,7 @@ class Canon:
 
     def _need_feed(self):
         """The control refuses a feed before any F; gcode.parse() does not."""
-        if not self.feed:
+        if not self.feed and self._this().motion_mode not in SPINDLE:
             self.fail("a feed before any F word: the control has no feed rate")
 
     def straight_probe(self, *values):

@@ -7,6 +7,7 @@ standard error with status 2. docs/reference/canonical-motion.md has the format.
 LinuxCNC's interpreter runs in a process of its own with a private HOME: it writes a map of the
 tool table there, which is that of a machine that runs if HOME is the user's. Its parameter file
 is a copy."""
+import mmap
 import os
 import re
 import shutil
@@ -39,9 +40,11 @@ class Job:
             check_units(self.table, self.tools, self.machine, self.table_units)
         self.change_position = self._change_position()
         self.text = read_text(self.program)
-        self.start = self.start_given or self._home()
+        self._check_characters()
+        self.start = self._start()
         self.changes_units = self._changes_units()
         self.folder, self.parameter_file, self.out = None, None, None
+        self.last = mmap.mmap(-1, 8)  # shared with the child: the last line that began
 
     def _option(self, word):
         given = "--" + word[10:] if word.startswith("--control=") else word
@@ -55,7 +58,7 @@ class Job:
         elif name == "--block-delete":
             self.block_delete = True
         elif name == "--start":
-            self.start_given = (self._numbers(word, value) + [0.0] * 9)[:9]
+            self.start_given = self._numbers(word, value)
         elif name == "--set" and "=" in value:
             pin, _, text = value.partition("=")
             self.given[pin] = self._numbers(word, text)[0]
@@ -72,11 +75,31 @@ class Job:
         except ValueError:
             raise Refusal(f"linuxcnc: {word}: '{text}' is no number") from None
 
+    def _start(self):
+        """Where the axes are before the program: as --start says, else at home."""
+        if self.start_given is None:
+            return self._home()
+        count, most = len(self.start_given), max(AXES.index(a) for a in self.machine.letters) + 1
+        if not most <= count <= len(AXES):
+            raise Refusal(f"linuxcnc: start: {count} numbers; give {','.join(AXES[:most])} of the "
+                          f"machine in mm and degrees, 0 for axes that it does not have")
+        return self.start_given + [0.0] * (len(AXES) - count)
+
     def _home(self):
         """Where the axes are when all joints are at HOME."""
         values = {n: c for n, (c, _) in self.parameters.items()}
         homes = [joint[-1] for joint in self.machine.joints]
         return self.kinematics.axes(0, homes, values, [0.0] * 9)
+
+    def _check_characters(self):
+        """The interpreter's Python fails on comments that are not UTF-8, without saying so."""
+        with open(self.program, "rb") as file:
+            for number, line in enumerate(file, 1):
+                try:
+                    line.decode("utf-8")
+                except UnicodeDecodeError:
+                    raise Refusal(f"{self.program}:{number}: a character that is not UTF-8; convert "
+                                  f"the file, for example by iconv -f latin1 -t utf-8") from None
 
     def _change_position(self):
         text = self.ini.get("EMCIO", "TOOL_CHANGE_POSITION")
@@ -239,8 +262,9 @@ def run(job):
     _, status = os.waitpid(process, 0)
     signal.alarm(0)
     if os.WIFSIGNALED(status):
-        raise Refusal(f"{job.program}: LinuxCNC's interpreter crashed or hung (signal "
-                      f"{os.WTERMSIG(status)})")
+        line = int.from_bytes(job.last[:8], "little")
+        raise Refusal(f"{job.program}:{line}: LinuxCNC's interpreter crashed or hung in this line "
+                      f"or a later one (signal {os.WTERMSIG(status)}); mend the program")
     return os.WEXITSTATUS(status)
 
 
