@@ -53,7 +53,8 @@ static bool more_lines(dividing *d, sepax_error *error) {
   double *spread = sepax_resize(d->spread, capacity * row);
   d->spread = spread != NULL ? spread : d->spread;
   if (value == NULL || line == NULL || step == NULL || row_of == NULL || spread == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu lines of a path", capacity);
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu lines of a path", capacity);
+    return false;
   }
   d->capacity = capacity;
   return true;
@@ -276,8 +277,11 @@ bool path_program_doglegs(path_scene *scene, const path_question *q, sepax_error
   d.from = calloc(5 * joints + 1, sizeof *d.from);
   d.open = calloc((LEVELS + 2) * (scene->pairs + 1), sizeof *d.open);
   d.levers = path_levers(scene, error);
-  bool ok = d.levers != NULL && ((d.from != NULL && d.open != NULL) ||
-                                 sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for dog-legs"));
+  bool ok = d.levers != NULL;
+  if (ok && (d.from == NULL || d.open == NULL)) {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for dog-legs");
+    ok = false;
+  }
   if (ok) {
     d.to = d.from + joints;
     d.middle = d.to + joints;

@@ -194,36 +194,61 @@ static bool is_done(const path_scene *scene, size_t line) {
   return n < line;
 }
 
-/* Write a list for each tool. A pair that is in no list is counted. */
-static bool write_all(path_scene *scene, const path_question *q, const path_engine *e,
-                      sepax_error *error) {
-  size_t *pair = calloc(e->pairs + 1, sizeof *pair);
-  size_t *line = calloc(scene->motion.lines + 1, sizeof *line);
-  bool *listed = calloc(scene->pairs + 1, sizeof *listed);
+/* What write_all works with. */
+typedef struct {
+  size_t *pair, *line;
+  bool *listed; /* of each pair of the scene */
+} room;
+
+static bool make_room(room *r, path_scene *scene, const path_engine *e, sepax_error *error) {
+  r->pair = calloc(e->pairs + 1, sizeof *r->pair);
+  r->line = calloc(scene->motion.lines + 1, sizeof *r->line);
+  r->listed = calloc(scene->pairs + 1, sizeof *r->listed);
   scene->jobs = calloc(scene->motion.names + 2, sizeof *scene->jobs);
-  bool ok = (pair != NULL && line != NULL && listed != NULL && scene->jobs != NULL) ||
-            sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for jobs");
-  for (size_t n = 0; ok && n < scene->motion.lines; n++) {
+  if (r->pair != NULL && r->line != NULL && r->listed != NULL && scene->jobs != NULL) {
+    return true;
+  }
+  sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for jobs");
+  return false;
+}
+
+/* Write a list for each tool. */
+static bool write_lists(path_scene *scene, const path_question *q, const path_engine *e,
+                        const room *r, sepax_error *error) {
+  for (size_t n = 0; n < scene->motion.lines; n++) {
     choice c;
     size_t tool = tool_of(scene, n);
     if (is_done(scene, n)) {
       continue;
     }
-    choose(e, scene, tool, pair, line, &c);
-    ok = c.pairs == 0 || add_list(scene, q, &c, tool, error);
+    choose(e, scene, tool, r->pair, r->line, &c);
+    if (c.pairs > 0 && !add_list(scene, q, &c, tool, error)) {
+      return false;
+    }
     for (size_t k = 0; k < c.pairs; k++) {
-      listed[e->pair[pair[k]]] = true;
+      r->listed[e->pair[r->pair[k]]] = true;
     }
   }
-  for (size_t n = 0; ok && n < scene->pairs; n++) {
-    scene->jobs_left_out += !listed[n];
+  return true;
+}
+
+/* The same; pairs that are in no list are counted. */
+static bool write_all(path_scene *scene, const path_question *q, const path_engine *e,
+                      sepax_error *error) {
+  room r;
+  bool ok = make_room(&r, scene, e, error);
+  if (ok) {
+    ok = write_lists(scene, q, e, &r, error);
+    for (size_t n = 0; n < scene->pairs; n++) {
+      scene->jobs_left_out += !r.listed[n];
+    }
+    for (size_t n = 0; !ok && n < scene->job_lists; n++) { /* no partial output */
+      unlink(scene->jobs[n].file);
+    }
   }
-  for (size_t n = 0; !ok && n < scene->job_lists; n++) { /* no partial output */
-    unlink(scene->jobs[n].file);
-  }
-  free(pair);
-  free(line);
-  free(listed);
+  free(r.pair);
+  free(r.line);
+  free(r.listed);
   return ok;
 }
 

@@ -39,7 +39,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
   const path_scene *scene = &answer->scene;
   const format_motion *motion = &scene->motion;
   const path_pair *pair = size_pair_of(answer, n);
-  sepax_poses path = {calloc(motion->lines, sizeof *path.pose), motion->lines};
+  sepax_poses path = {calloc(motion->lines + 1, sizeof *path.pose), motion->lines};
   if (path.pose == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu poses", motion->lines);
   }

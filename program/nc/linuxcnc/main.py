@@ -98,8 +98,8 @@ class Job:
                 try:
                     line.decode("utf-8")
                 except UnicodeDecodeError:
-                    raise Refusal(f"{self.program}:{number}: a character that is not UTF-8; convert "
-                                  f"the file, for example by iconv -f latin1 -t utf-8") from None
+                    raise Refusal(f"{self.program}:{number}: a character that is not UTF-8; "
+                                  f"convert the file, for example by iconv -f latin1 -t utf-8") from None
 
     def _change_position(self):
         text = self.ini.get("EMCIO", "TOOL_CHANGE_POSITION")
