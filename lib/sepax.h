@@ -412,12 +412,13 @@ bool sepax_bodies_near(const sepax_body *a, const sepax_pose *pose_a, const sepa
                        sepax_pairs *found, sepax_error *error);
 
 /* Searches for distances count their work in units: 1 for each comparison of two boxes of the
- * trees, or of a box with eight boxes; 1 for each estimate of the distance of two triangles; 50 for
- * each exact test of two triangles. The units of a query depend only on its arguments and on the
- * instruction set, except that a limit in seconds ends it by the clock, and that a front depends on
- * its earlier queries. A unit takes 0.05 to 0.15 microseconds on a processor of 2020. A search ends
- * at the latest 600 units after its limit, because it completes its step. A query with a front also
- * takes a unit for each 64 entries of the front, whatever the limit is. */
+ * trees, or of a box with eight boxes; 1 for each estimate of the distance of two triangles; 8 for
+ * each proof by a direction of two triangles; 50 for each exact test of two triangles. The units of
+ * a query depend only on its arguments and on the instruction set, except that a limit in seconds
+ * ends it by the clock, and that a front depends on its earlier queries. A unit takes 0.05 to 0.15
+ * microseconds on a processor of 2020. A search ends at the latest 600 units after its limit,
+ * because it completes its step. A query with a front also takes a unit for each 64 entries of the
+ * front, whatever the limit is. */
 
 /* The distance of two bodies and where it is found: least <= distance <= most. Both bounds are
  * certain for the doubles given. */

@@ -111,7 +111,7 @@ static uint32_t judge_group(const posed_pairs *p, const double *c, bool *in_doub
 }
 
 uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count,
-                                  int *exact) {
+                                  uint64_t *exact) {
   const int lanes = p->lanes;
   double c[18 * MOST_LANES];
   uint64_t hits = 0;
@@ -123,14 +123,16 @@ uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2
     gather(p, pair + first, used, lanes, c);
     uint32_t group = judge_group(p, c, &in_doubt, &uncertain);
     uint32_t mine = (1U << used) - 1;
-    *exact += __builtin_popcount(uncertain & mine);
-    for (uint32_t rest = uncertain & mine; rest != 0; rest &= rest - 1) {
+    uncertain &= mine;
+    *exact |= (uint64_t)uncertain << first;
+    group &= ~uncertain;
+    for (uint32_t rest = p->rough ? 0 : uncertain; rest != 0; rest &= rest - 1) {
       int n = __builtin_ctz(rest);
       const uint32_t *of = pair[first + n];
       sepax_verdict v = sepax_exact_posed(triangle(p, 0, of[0]), p->at.pose[0],
                                           triangle(p, 1, of[1]), p->at.pose[1]);
       bool hit = p->strict ? v.strict : v.collision;
-      group = (group & ~(1U << n)) | (uint32_t)hit << n;
+      group |= (uint32_t)hit << n;
     }
     hits |= (uint64_t)(group & mine) << first;
   }

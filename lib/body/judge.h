@@ -11,6 +11,7 @@ typedef struct {
   const double *first[2];
   size_t stride[2];
   bool strict; /* find only pairs that collide strictly */
+  bool rough;  /* leave pairs that only exact arithmetic decides */
   int lanes;   /* from sepax__posed_pairs_lanes */
   placement at;
 } posed_pairs;
@@ -19,9 +20,10 @@ typedef struct {
  * processor has these instructions. */
 int sepax__posed_pairs_lanes(sepax_simd simd);
 
-/* Judge up to 64 pairs. Bit n of the result: pair[n], a triangle of A and one of B, collides.
- * *exact receives the number of pairs that only exact arithmetic decided. */
+/* Judge up to 64 pairs. Bit n of the result: pair[n], a triangle of A and one of B, collides. Bit n
+ * of *exact: only exact arithmetic decides pair[n]; if such pairs are left, they are not in the
+ * result. */
 uint64_t sepax__judge_posed_pairs(const posed_pairs *p, const uint32_t (*pair)[2], int count,
-                                  int *exact);
+                                  uint64_t *exact);
 
 #endif

@@ -118,13 +118,15 @@ typedef struct {
   size_t capacity, hits;
   bool no_memory, ended;
   double end;                                       /* when the time limit ends; 0: no limit */
-  uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles that wait to be judged */
+  uint32_t waiting[BATCH + BODY_WIDE * AT_ONCE][2]; /* pairs of triangles that wait to be judged:
+                                                       places, or boxes if pairs.rough */
   int count, batch; /* pairs that wait; pairs that are judged at once */
   box_comparer *compare_boxes;
   int at_once; /* pairs of boxes that are compared at once */
   size_t visits;
   uint64_t work, work_most; /* units of work; work_most 0: no limit */
-  uint32_t place[2];        /* of the pair that sepax__find_collision finds */
+  uint32_t place[2];        /* of the pair that sepax__find_collision finds; a box if in doubt */
+  bool in_doubt;
 } search;
 
 static void record(search *s, uint32_t i, uint32_t j) {
@@ -147,15 +149,39 @@ static void record(search *s, uint32_t i, uint32_t j) {
   s->ended = s->ended || s->no_memory || q->only_any || (q->most > 0 && s->hits == q->most);
 }
 
+/* Judge pairs by their boxes; one that collides, or else one in doubt, ends the search. */
+static void judge_roughly(search *s, const uint32_t (*at)[2], int count) {
+  uint32_t place[BATCH][2];
+  uint64_t doubt;
+  for (int n = 0; n < count; n++) {
+    for (int k = 0; k < 2; k++) {
+      place[n][k] = child_at(s->body[k], at[n][k]) - BODY_TRIANGLE;
+    }
+  }
+  uint64_t hits = sepax__judge_posed_pairs(&s->pairs, (const uint32_t(*)[2])place, count, &doubt);
+  if (hits != 0) {
+    const uint32_t *pair = place[__builtin_ctzll(hits)];
+    record(s, pair[0], pair[1]);
+  } else if (doubt != 0) {
+    memcpy(s->place, at[__builtin_ctzll(doubt)], sizeof s->place);
+    s->in_doubt = s->ended = true;
+  }
+}
+
 /* Judge up to BATCH waiting pairs of triangles; fewer where work is limited. */
 static void judge(search *s) {
   int most = s->work_most > 0 ? s->batch : BATCH;
   int count = s->count < most ? s->count : most;
-  int exact;
+  uint64_t exact;
   s->count -= count;
+  s->work += (uint64_t)count;
   const uint32_t(*waiting)[2] = (const uint32_t(*)[2])s->waiting + s->count;
+  if (s->pairs.rough) {
+    judge_roughly(s, waiting, count);
+    return;
+  }
   uint64_t hits = sepax__judge_posed_pairs(&s->pairs, waiting, count, &exact);
-  s->work += (uint64_t)count + WORK_EXACT * (uint64_t)exact;
+  s->work += WORK_EXACT * (uint64_t)__builtin_popcountll(exact);
   for (; hits != 0 && !s->ended; hits &= hits - 1) {
     const uint32_t *pair = waiting[__builtin_ctzll(hits)];
     record(s, pair[0], pair[1]);
@@ -196,9 +222,10 @@ static void take_children(search *s, const opening *o, const box_task *t, box_pa
     boxes |= t->triangles;
   } else {
     for (uint32_t mask = t->triangles; mask != 0; mask &= mask - 1) {
-      uint32_t number = t->node->child[__builtin_ctz(mask)] - BODY_TRIANGLE;
-      s->waiting[s->count][open] = number;
-      s->waiting[s->count++][!open] = o->child - BODY_TRIANGLE;
+      uint32_t lane = (uint32_t)__builtin_ctz(mask);
+      uint32_t number = t->node->child[lane] - BODY_TRIANGLE;
+      s->waiting[s->count][open] = s->pairs.rough ? BODY_WIDE * o->node + lane : number;
+      s->waiting[s->count++][!open] = s->pairs.rough ? o->other : o->child - BODY_TRIANGLE;
       prefetch_triangle(s, open, number);
     }
   }
@@ -299,7 +326,9 @@ bool sepax__find_collision(const sepax_body *a, const sepax_pose *pose_a, const 
                            uint32_t place[2]) {
   search s = {.body = {a, b}, .work_most = limits->most};
   begin(&s, pose_a, pose_b, false, true, simd, limits->seconds);
-  limits->ended = !descend(&s);
+  s.pairs.rough = limits->rough;
+  limits->ended = !descend(&s) || s.in_doubt;
+  limits->in_doubt = s.in_doubt;
   limits->work = s.work;
   memcpy(place, s.place, sizeof s.place);
   return s.hits > 0;

@@ -52,7 +52,7 @@ void sepax__search_judge_candidates(worker *w) {
     return;
   }
   if (s->facet[0] != NULL) {
-    int exact;
+    uint64_t exact;
     hits = sepax__judge_posed_pairs(&s->posed, w->candidate, (int)count, &exact);
   } else if (s->judge == NULL) {
     int32_t c[2][3][3][BATCH];

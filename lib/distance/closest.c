@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { KEPT = 64, PROOFS = 16, SOON = 512 };
+enum { KEPT = 64, PROOFS = 16, SOON = 512, WORK_DIRECTION = 8 };
 
 typedef struct {
   uint32_t at[2];
@@ -28,6 +28,7 @@ typedef struct {
   double relative, absolute; /* the tolerance */
   sepax_distance_result *best;
   twofold_vector way;
+  double begun; /* the distance for which a proof was begun last; 0: none */
 } nearest_pairs;
 
 /* Two triangles are `distance` apart: how near must others be to be looked for? Three quarters of
@@ -111,12 +112,64 @@ static void drop_kept(const search *s, nearest_pairs *n) {
   n->count = count;
 }
 
+/* Prepare proofs that no pair is nearer than needed, by the direction of the nearest pair so far or
+ * the normals of the triangles in boxes `at`. True only if it is proved for these. */
+static bool begin_proof(search *s, nearest_pairs *n, const uint32_t at[2]) {
+  double best = n->best->min_distance;
+  double least = best > n->limit ? n->limit : needed(n, best);
+  twofold need = least < best ? twofold_of(least) : product_of(best, 1 - 0x1p-53);
+  n->begun = best;
+  return best > 0 && isfinite(best) && sepax__proof_begin(s, &n->way, at, need);
+}
+
+/* Is it proved that a pair is not nearer than needed, by the direction at hand or one of its own?
+ * Bodies may touch on several sides. Without a tolerance no direction of its own is tried: a unit
+ * in the last place of such a distance is less than the error of a proof. */
+static bool is_beyond(search *s, nearest_pairs *n, const uint32_t at[2]) {
+  const uint32_t child[2] = {child_at(s->body[0], at[0]), child_at(s->body[1], at[1])};
+  hindrance by;
+  if (s->proof.possible && sepax__prove_apart(s, child, &by)) {
+    return true;
+  }
+  if (!(n->relative > 0 || n->absolute > 0)) {
+    return false;
+  }
+  const direction_proof before = s->proof;
+  const double begun = n->begun;
+  s->work += WORK_DIRECTION;
+  if (begin_proof(s, n, at)) {
+    return true;
+  }
+  s->proof = before;
+  n->begun = begun;
+  return false;
+}
+
+/* Settle a pair that doubles do not tell from a collision. It is measured at once if no direction
+ * does for it: while it is open nothing is certain, and only the distance of such a pair makes the
+ * limit as small as it. False without work left. */
+static bool settle_contact(search *s, nearest_pairs *n, const uint32_t at[2], double most) {
+  if (n->best->min_distance <= most && is_beyond(s, n, at)) {
+    return true;
+  }
+  if (out_of_work(s)) {
+    return false;
+  }
+  if (measure_at(s, n, at)) {
+    s->prove_soon = begin_proof(s, n, at);
+  }
+  return true;
+}
+
 /* Keep a pair that may be the nearest. Where work or time is limited, pairs beyond those that fit
  * are given up at first, rather than measured, because other pairs say more about the least
  * distance. */
 static void keep(search *s, const uint32_t at[2], double least, double most) {
   nearest_pairs *n = s->context;
   lower_limit(s, n, most);
+  if (!(least > 0) && settle_contact(s, n, at, most)) {
+    return;
+  }
   if (n->count == KEPT) {
     drop_kept(s, n);
     if (n->count > KEPT / 2 && (n->thorough || !s->best_first)) {
@@ -147,11 +200,9 @@ static bool prove(search *s) {
     measure_at(s, n, s->nearest.at);
   }
   for (int turn = 0; turn < PROOFS && !out_of_work(s); turn++) {
-    double best = n->best->min_distance;
-    double least = best > n->limit ? n->limit : needed(n, best);
-    twofold need = least < best ? twofold_of(least) : product_of(best, 1 - 0x1p-53);
     hindrance by;
-    if (!(best > 0 && isfinite(best) && sepax__proof_begin(s, &n->way, n->best->box, need))) {
+    bool begun = s->proof.possible && n->begun == n->best->min_distance;
+    if (!begun && !begin_proof(s, n, n->best->box)) {
       return false;
     }
     if (sepax__prove_apart(s, roots, &by)) {
@@ -221,18 +272,22 @@ static bool begin(search *s, const sepax_distance_request *r, sepax_error *error
 }
 
 /* Find a collision, if that is soon done: bodies that nearly touch in many places take long, and
- * the search for the distance finds a collision, too. It takes at most half of the work and time.
- */
+ * the search for the distance finds a collision, too. It takes at most half of the work and time,
+ * and it ends where doubles do not decide: such triangles are likely near, so that the search for
+ * the distance begins at them. */
 static bool find_collision(search *s, nearest_pairs *n, sepax_simd simd) {
   uint64_t half = (s->work_most + 1) / 2;
-  search_limits limits = {.most = half > 0 && half < SOON ? half : SOON, .seconds = s->seconds / 2};
-  uint32_t place[2];
+  search_limits limits = {
+      .most = half > 0 && half < SOON ? half : SOON, .seconds = s->seconds / 2, .rough = true};
+  uint32_t pair[2];
   bool found = sepax__find_collision(s->body[0], s->at.pose[0], s->body[1], s->at.pose[1], simd,
-                                     &limits, place);
+                                     &limits, pair);
   s->work += limits.work;
   s->seconds = limits.seconds;
   if (found) {
-    measure(s, n, place);
+    measure(s, n, pair);
+  } else if (limits.in_doubt) {
+    s->waiting[s->count++] = (box_pair){{pair[0], pair[1]}, 0};
   }
   return found;
 }

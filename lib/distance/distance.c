@@ -353,6 +353,10 @@ static void enclose(const twofold_points *p, int a, int b, enclosure *e) {
 
 /* ------------------------------------------------------------------------ results */
 
+/* No enclosure is narrower than twice error_of, above 2^-96. So distances below this one are not
+ * known to 2^-55 of themselves, whatever the features are. */
+#define LEAST_ENCLOSED 0x1p-41
+
 /* True if some candidate is proved to be nearest. */
 static bool is_enclosed(const twofold_points *p, const candidates *c, enclosure *e) {
   for (int n = 0; n < c->list.count && n < 4 && c->square[n] <= c->square[0] * (1 + 0x1p-20); n++) {
@@ -360,6 +364,9 @@ static bool is_enclosed(const twofold_points *p, const candidates *c, enclosure 
     double width = twofold_subtract(e->most, e->least).high;
     if (width <= 0x1p-55 * e->least.high) {
       return true;
+    }
+    if (e->most.high < LEAST_ENCLOSED) {
+      return false;
     }
   }
   return false;

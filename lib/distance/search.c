@@ -123,13 +123,15 @@ static double refined(search *s, double least, const uint32_t at[2]) {
   if ((child[0] & child[1] & BODY_TRIANGLE) != 0 || !(unit > 0x1p-900) || !in_doubt(s, least, at)) {
     return least;
   }
+  hindrance by;
+  bool all_tie = s->proof.possible && is_tie(s, 0);
+  if (all_tie && sepax__prove_apart(s, child, &by)) {
+    return INFINITY;
+  }
   double nearest = sepax__exact_bound(s, child) / unit * (1 - 0x1p-50);
   s->work++;
-  if (s->proof.possible && is_tie(s, nearest)) {
-    hindrance by;
-    if (sepax__prove_apart(s, child, &by)) {
-      return INFINITY;
-    }
+  if (!all_tie && s->proof.possible && is_tie(s, nearest) && sepax__prove_apart(s, child, &by)) {
+    return INFINITY;
   }
   return fmax(least, nearest * nearest);
 }
@@ -335,7 +337,7 @@ static void run(search *s, pair_queue *queue) {
   for (box_pair p; !s->ended;) {
     double limit = s->limit;
     if (s->count >= s->batch || s->count > SEARCH_BATCH - BODY_WIDE ||
-        (s->count > 0 && isinf(limit))) {
+        (s->count > 0 && (steps == 0 || isinf(limit)))) {
       take_waiting(s);
       sepax__find_most(s);
     }
@@ -356,14 +358,15 @@ static void run(search *s, pair_queue *queue) {
     if (o.queue != NULL) {
       enqueue(&o);
     }
-    if (s->prove != NULL && steps >= proof && isfinite(s->shortest)) {
+    if (s->prove != NULL && isfinite(s->shortest) && (steps >= proof || s->prove_soon)) {
+      s->prove_soon = false;
       if (s->prove(s)) {
         if (s->front != NULL) {
           keep_open(s, &o, s->limit);
         }
         return;
       }
-      proof = 4 * steps;
+      proof = steps >= proof ? 4 * steps : proof;
     }
     if (has_ended(s, steps, end)) {
       s->ended = true;

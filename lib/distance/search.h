@@ -42,6 +42,7 @@ struct search {
   /* Called now and then, once `nearest` is known: begins proofs by a direction. True if it is
    * proved that no other pair need be found, which ends the search. NULL: not called. */
   bool (*prove)(search *s);
+  bool prove_soon; /* set by `take` to call it at the next step */
   void *context;
   double limit;       /* farther pairs need not be found; in file units; below 0: none need */
   int batch;          /* so many pairs are looked at together */

@@ -224,16 +224,22 @@ static side side_of(const search *s, int body) {
 /* Find on which sides of the way the bodies are, by their nearest triangles; the gap of these. */
 static twofold place_sides(search *s, const uint32_t at[2]) {
   direction_proof *p = &s->proof;
-  twofold gap = {0, 0};
-  for (int high = 0; high < 2 && !(gap.high > 0); high++) {
-    p->high = high;
-    for (int k = 0; k < 2; k++) {
-      side r = side_of(s, k);
-      p->end[k] = outermost(&r, s->body[k]->triangle[sepax__place_at(s->body[k], at[k])]);
+  twofold low[2];
+  twofold high[2];
+  for (int k = 0; k < 2; k++) {
+    const double(*v)[3] = s->body[k]->triangle[sepax__place_at(s->body[k], at[k])];
+    const side r = {.s = s, .body = k};
+    low[k] = high[k] = at_vertex(&r, v[0]);
+    for (int n = 1; n < 3; n++) {
+      twofold end = at_vertex(&r, v[n]);
+      low[k] = twofold_less(end, low[k]) ? end : low[k];
+      high[k] = twofold_less(high[k], end) ? end : high[k];
     }
-    gap = twofold_subtract(p->end[!high], p->end[high]);
   }
-  return gap;
+  p->high = twofold_less(low[1], high[0]);
+  p->end[p->high] = high[p->high];
+  p->end[!p->high] = low[!p->high];
+  return twofold_subtract(p->end[!p->high], p->end[p->high]);
 }
 
 /* Begin with a way, if it proves anything at all. */

@@ -8,26 +8,7 @@
 #include "sepax_models.h"
 #include "unit/body/draws.h"
 
-/* -------------------------------------------------------------------- pairs given up */
-
-/* More pairs than fit may be the nearest. The bound that is left is not above any of them, in
- * whatever order they come. */
-CASE(pairs_given_up) {
-  enum { PAIRS = KEPT + 8 };
-  for (uint32_t lowest = 0; lowest < PAIRS; lowest++) {
-    sepax_distance_result best = {.min_distance = INFINITY};
-    nearest_pairs n = {.limit = INFINITY, .best = &best};
-    search s = {.context = &n, .limit = INFINITY, .open = INFINITY, .best_first = true};
-    for (uint32_t k = 0; k < PAIRS; k++) {
-      const uint32_t at[2] = {k, k};
-      keep(&s, at, k == lowest ? 0.75 : 0.875, 1);
-    }
-    assert_true(n.given_up);
-    assert_true(least_of(&s, &n) <= 0.75);
-  }
-}
-
-/* ---------------------------------------------------------------------------- effort */
+/* ---------------------------------------------------------------------------- bodies */
 
 static sepax_body *sample(const char *shape, size_t count, double size) {
   const double origin[3] = {0, 0, 0};
@@ -39,19 +20,21 @@ static sepax_body *sample(const char *shape, size_t count, double size) {
   return body;
 }
 
-/* A plate of side 1, two triangles a cell. */
-static sepax_body *plate(size_t side) {
-  sepax_soup mesh = {.facet = calloc(2 * side * side, sizeof(sepax_facet)),
-                     .count = 2 * side * side};
+/* Plates of side 1, two triangles a cell: on axes 0 and 1, then on 1 and 2, and on 2 and 0; then
+ * the same opposite, so that six are a cube. */
+static sepax_body *plates(size_t side, size_t count) {
+  const size_t each = 2 * side * side;
+  sepax_soup mesh = {.facet = calloc(count * each, sizeof(sepax_facet)), .count = count * each};
   assert_non_null(mesh.facet);
   static const size_t corner[2][3][2] = {{{0, 0}, {1, 0}, {1, 1}}, {{0, 0}, {1, 1}, {0, 1}}};
   for (size_t n = 0; n < mesh.count; n++) {
-    const size_t cell[2] = {n / 2 % side, n / 2 / side};
+    const size_t cell[2] = {n % each / 2 % side, n % each / 2 / side};
     for (int k = 0; k < 3; k++) {
       double *v = mesh.facet[n].v[k];
-      for (int i = 0; i < 2; i++) {
-        v[i] = (double)(cell[i] + corner[n % 2][k][i]) / (double)side;
+      for (size_t i = 0; i < 2; i++) {
+        v[(n / each + i) % 3] = (double)(cell[i] + corner[n % 2][k][i]) / (double)side;
       }
+      v[(n / each + 2) % 3] = n / each < 3 ? 0 : 1;
     }
   }
   sepax_body *body;
@@ -59,6 +42,33 @@ static sepax_body *plate(size_t side) {
   free(mesh.facet);
   return body;
 }
+
+/* -------------------------------------------------------------------- pairs given up */
+
+/* More pairs than fit may be the nearest. The bound that is left is not above any of them, in
+ * whatever order they come. */
+CASE(pairs_given_up) {
+  enum { PAIRS = KEPT + 8 };
+  sepax_body *const body = plates(1, 1);
+  for (uint32_t lowest = 0; lowest < PAIRS; lowest++) {
+    sepax_distance_result best = {.min_distance = INFINITY};
+    nearest_pairs n = {.limit = INFINITY, .best = &best};
+    search s = {.body = {body, body},
+                .context = &n,
+                .limit = INFINITY,
+                .open = INFINITY,
+                .best_first = true};
+    for (uint32_t k = 0; k < PAIRS; k++) {
+      const uint32_t at[2] = {k, k};
+      keep(&s, at, k == lowest ? 0.75 : 0.875, 1);
+    }
+    assert_true(n.given_up);
+    assert_true(least_of(&s, &n) <= 0.75);
+  }
+  sepax_body_free(body);
+}
+
+/* ---------------------------------------------------------------------------- effort */
 
 /* The mean units of distances in some poses of B along a way, without vector instructions, so that
  * they are the same on every computer. */
@@ -86,13 +96,10 @@ static double effort(const sepax_body *a, const sepax_body *b, const double way[
 /* Bounds are 5 % above what the search takes. */
 CASE(effort_of_distances) {
   enum { SPHERE, BOX, POCKET, TOOL, PLATE, SMALL_PLATE, TINY, BODIES };
-  sepax_body *const body[BODIES] = {sample("sphere", 4000, 1),
-                                    sample("box", 500, 1),
-                                    sample("pocket", 3000, 1),
-                                    sample("ball-end", 1000, 0.2),
-                                    plate(64),
-                                    plate(9),
-                                    sample("sphere", 1000, 1e-6)};
+  sepax_body *const body[BODIES] = {
+      sample("sphere", 4000, 1),     sample("box", 500, 1), sample("pocket", 3000, 1),
+      sample("ball-end", 1000, 0.2), plates(64, 1),         plates(9, 1),
+      sample("sphere", 1000, 1e-6)};
   static const struct {
     const char *name;
     int a, b;
@@ -117,6 +124,44 @@ CASE(effort_of_distances) {
     }
   }
   for (int n = 0; n < BODIES; n++) {
+    sepax_body_free(body[n]);
+  }
+}
+
+/* Faces that doubles cannot tell from touching: thousands of triangles are equally near, and a few
+ * exact tests do for all. Bounds are 5 % above what the search takes. */
+CASE(effort_in_contact) {
+  sepax_body *const body[] = {plates(64, 1), plates(40, 3), plates(40, 6)};
+  static const struct {
+    const char *name;
+    int body;
+    double way[3];
+    double distance;
+    uint64_t most;
+  } scenes[] = {{"plates, touching", 0, {0.1, 0.07, 0}, 0, 78},
+                {"plates", 0, {0.1, 0.07, 0x1p-56}, 0x1p-56, 84},
+                {"plates, aligned", 0, {0, 0, 0x1p-56}, 0x1p-56, 84},
+                {"three sides", 1, {0x1p-56, 0x1p-56, 0x1p-56}, 0x1p-56, 12630},
+                {"cubes, aligned", 2, {0, 0, 1 + 0x1p-52}, 0x1p-52, 88},
+                {"cubes", 2, {0.1, 0.07, 1 + 0x1p-52}, 0x1p-52, 564}};
+  for (size_t n = 0; n < LENGTH(scenes); n++) {
+    sepax_body *const b = body[scenes[n].body];
+    sepax_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
+    for (int i = 0; i < 3; i++) {
+      pose.translation[i] = scenes[n].way[i];
+    }
+    const sepax_distance_request request = {
+        .size = sizeof request, .relative = 1e-6, .simd = SEPAX_SIMD_PORTABLE};
+    sepax_distance_result found;
+    assert_works(sepax_bodies_distance(b, NULL, b, &pose, &request, &found, &fault));
+    assert_true(found.min_distance == scenes[n].distance);
+    assert_true(found.least >= scenes[n].distance * (1 - 1e-6));
+    if (found.work > scenes[n].most) {
+      fail_msg("%s: %lu units of work, not %lu or less", scenes[n].name, (unsigned long)found.work,
+               (unsigned long)scenes[n].most);
+    }
+  }
+  for (size_t n = 0; n < LENGTH(body); n++) {
     sepax_body_free(body[n]);
   }
 }
