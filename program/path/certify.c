@@ -158,8 +158,8 @@ static bool search(asking *a, size_t parts, size_t most, size_t *asked, sepax_er
   return true;
 }
 
-/* Search the segment after its open part. */
-static bool search_behind(asking *a, sepax_error *error) {
+/* Search the segment after its open part, `most` parts at most. */
+static bool search_behind(asking *a, size_t most, sepax_error *error) {
   size_t parts = 0;
   size_t asked = 0;
   while (advance(&a->now.at)) {
@@ -170,7 +170,9 @@ static bool search_behind(asking *a, sepax_error *error) {
     a->queue[n] = a->queue[parts - 1 - n];
     a->queue[parts - 1 - n] = other;
   }
-  return search(a, parts, BEHIND, &asked, error);
+  bool ok = search(a, parts, most, &asked, error);
+  a->behind -= asked < a->behind ? asked : a->behind;
+  return ok;
 }
 
 /* Search a later segment, `segments` before the end. It may examine its share of the parts that are
@@ -202,12 +204,13 @@ static bool deviates_as_before(const asking *a, size_t segment) {
   return step == NULL || step[segment + 1].deviation <= step[segment].deviation;
 }
 
-/* Certify the next segment. `level` is the level of the segment before, a good first guess because
- * the bodies are about as near and move about as far. */
-static bool certify_next(asking *a, unsigned level, sepax_error *error) {
+/* Certify the next segment. The level of the interval before is a good first guess, because the
+ * bodies are about as near and move about as far. After an open part `most` parts are searched. */
+static bool certify_next(asking *a, size_t most, sepax_error *error) {
   path_proof *proof = &a->pair->proof;
   size_t n = a->now.at.segment;
   const path_interval *before = proof->count > 0 ? &proof->interval[proof->count - 1] : NULL;
+  unsigned level = before != NULL ? before->level : 0;
   bool same = before != NULL && before->segment == n - 1 && stands_still(a, n - 1) &&
               stands_still(a, n) && deviates_as_before(a, n);
   a->now.at.level = same || level == 0 ? 0 : level - 1;
@@ -218,7 +221,7 @@ static bool certify_next(asking *a, unsigned level, sepax_error *error) {
     return keep(a, error);
   }
   return certify_segment(a, error) &&
-         (!proof->is_open || proof->collides || search_behind(a, error));
+         (!proof->is_open || proof->collides || search_behind(a, most, error));
 }
 
 /* Examine a segment, `segments` before the end. */
@@ -227,7 +230,14 @@ static bool ask_segment(asking *a, size_t segments, bool undecided, sepax_error 
   if (proof->is_open || undecided) {
     return stands_still(a, a->now.at.segment) || search_segment(a, segments, error);
   }
-  return certify_next(a, proof->count > 0 ? proof->interval[proof->count - 1].level : 0, error);
+  return certify_next(a, BEHIND, error);
+}
+
+static void tell_progress(asking *a) {
+  size_t done = atomic_fetch_add(&a->all->done, 1) + 1;
+  if (a->pair == a->all->scene->pair) { /* the calling thread gets the first pair */
+    cli_progress_show(a->all->progress, done);
+  }
 }
 
 /* Examine all segments until the end or until a pose with a collision. A pair that is undecided in
@@ -243,15 +253,63 @@ static bool ask_segments(asking *a, sepax_error *error) {
         !ask_segment(a, segments - n, undecided, error)) {
       return false;
     }
-    size_t done = atomic_fetch_add(&all->done, 1) + 1;
-    if (a->pair == all->scene->pair) { /* the calling thread gets the first pair */
-      cli_progress_show(all->progress, done);
-    }
+    tell_progress(a);
   }
   proof->certified = !undecided && !proof->is_open;
-  if (proof->collides && path_status_only(all->q)) {
-    atomic_store(&all->stop, true);
+  return true;
+}
+
+/* ------------------------------------------------------------------------- programs */
+
+/* Certify a segment by itself, whatever was found before it. pair->proof keeps the first open part
+ * and the first collision of all segments. */
+static bool ask_motion(asking *a, size_t segments, sepax_error *error) {
+  path_proof *proof = &a->pair->proof;
+  const path_proof before = *proof;
+  size_t n = a->now.at.segment;
+  size_t share = a->behind / segments;
+  proof->is_open = false;
+  proof->collides = false;
+  if (!certify_next(a, share < EACH_BEHIND ? EACH_BEHIND : share, error)) {
+    return false;
   }
+  report_verdict verdict = path_between_lines(a->pair);
+  a->pair->between[n] = (unsigned char)verdict;
+  a->pair->part[n] = verdict != VERDICT_FREE ? path_between_moment(a->pair).part : 0;
+  if (before.is_open) {
+    proof->is_open = true;
+    proof->open = before.open;
+    proof->distance = before.distance;
+    proof->ended = before.ended;
+  }
+  if (before.collides) {
+    proof->collides = true;
+    proof->segment = before.segment;
+    proof->part = before.part;
+  }
+  return true;
+}
+
+/* Examine each motion of a program, because each of its lines has a verdict. */
+static bool ask_motions(asking *a, sepax_error *error) {
+  work *all = a->all;
+  path_pair *pair = a->pair;
+  size_t segments = all->scene->motion.lines - 1;
+  pair->between = calloc(segments + 1, sizeof *pair->between);
+  pair->part = calloc(segments + 1, sizeof *pair->part);
+  if (pair->between == NULL || pair->part == NULL) {
+    sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu verdicts", segments);
+    return false;
+  }
+  for (size_t n = 0; n < segments && !atomic_load(&all->stop); n++) {
+    a->now.at.segment = n;
+    if (path_motion_asked(all->scene, pair, n) && !ask_motion(a, segments - n, error)) {
+      return false;
+    }
+    tell_progress(a);
+  }
+  pair->proof.certified = !pair->proof.is_open && pair->lines[VERDICT_UNDECIDED] == 0 &&
+                          pair->lines[VERDICT_COLLISION] == 0;
   return true;
 }
 
@@ -273,9 +331,17 @@ static void end_pair(asking *a) {
 }
 
 static bool ask_pair(work *all, path_pair *pair, sepax_error *error) {
+  bool motions = all->scene->motion.step != NULL;
+  if (pair->by_cells || (!motions && pair->lines[VERDICT_COLLISION] > 0)) {
+    return true;
+  }
   asking a;
-  bool ok = begin_pair(&a, all, pair, error) && ask_segments(&a, error);
+  bool ok = begin_pair(&a, all, pair, error) &&
+            (motions ? ask_motions(&a, error) : ask_segments(&a, error));
   end_pair(&a);
+  if (ok && pair->proof.collides && path_status_only(all->q)) {
+    atomic_store(&all->stop, true);
+  }
   return ok;
 }
 
@@ -301,7 +367,7 @@ static void work_on(void *context, size_t part) {
   work *all = context;
   path_pair *pair = &all->scene->pair[part];
   sepax_error error = {0};
-  if (pair->lines[VERDICT_COLLISION] == 0 && !pair->by_cells && !ask_pair(all, pair, &error)) {
+  if (!ask_pair(all, pair, &error)) {
     if (!atomic_flag_test_and_set(&all->failing)) {
       *all->error = error;
     }

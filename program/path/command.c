@@ -336,6 +336,7 @@ int cli_path(int argc, char **argv) {
   cli_parse(&argp, argc, argv, &q);
   sepax_error error = {0};
   path_scene scene = {.pairs = 0};
+  q.certify = q.certify || q.machine != NULL; /* rows of a program are places between its lines */
   q.keep = q.stock != NULL || (q.tools != NULL && q.certificate != NULL) || q.picture != NULL ||
            q.page != NULL || q.jobs != NULL;
   q.word = q.jobs != NULL && q.word == 0 ? WORD : q.word;

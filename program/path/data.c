@@ -94,7 +94,7 @@ static json_t *segment_of(const path_scene *scene, size_t segment) {
 /* The result of --certify for a pair; null without --certify. */
 static json_t *way_of(const path_scene *scene, const path_pair *pair) {
   const path_proof *proof = &pair->proof;
-  if (!scene->between || path_in_lines(pair) == VERDICT_COLLISION) {
+  if (!scene->between || (pair->between == NULL && path_in_lines(pair) == VERDICT_COLLISION)) {
     return json_null();
   }
   json_t *open = json_null();
@@ -396,9 +396,9 @@ static bool write_rows(FILE *out, const void *context) {
     }
     for (size_t n = 0; n < scene->pairs && ok; n++) {
       const path_pair *pair = &scene->pair[n];
-      path_moment at = path_between_moment(pair);
-      report_verdict verdict = path_between_lines(pair);
-      ok = verdict == VERDICT_FREE || at.line != line || write_row(out, r, pair, at, verdict);
+      path_moment at;
+      report_verdict verdict = path_motion_verdict(pair, line, &at);
+      ok = verdict == VERDICT_FREE || write_row(out, r, pair, at, verdict);
     }
   }
   return ok;

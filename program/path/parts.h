@@ -139,6 +139,11 @@ typedef struct {
                   no points */
   unsigned char *verdict; /* verdict of each line if it is written to a file; otherwise NULL */
   path_proof proof;
+  /* Of --certify on a path with steps, otherwise NULL: between[n] is the verdict of the motion from
+   * line n to the next; if it is not free, then part[n] is the part of the way where that was
+   * found. */
+  unsigned char *between;
+  double *part;
 } path_pair;
 
 /* A list of jobs that path_write_jobs wrote. */
@@ -271,6 +276,9 @@ void path_open_ends(const path_pair *pair,
  * lines. */
 path_moment path_between_moment(const path_pair *pair);
 path_moment path_first(const path_pair *pair, report_verdict verdict);
+/* What is known of the motion from a line to the next, and where it was found. Of a path without
+ * steps only the first motion that is not free is known. */
+report_verdict path_motion_verdict(const path_pair *pair, size_t line, path_moment *at);
 /* The first moment with the worst verdict. If all pairs are free, then the line of the least
  * clearance. *pair receives the pair; NULL if no clearance was found. */
 path_moment path_worst_moment(const path_scene *scene, const path_pair **pair);

@@ -63,6 +63,15 @@ path_moment path_between_moment(const path_pair *pair) {
                          : (path_moment){proof->open.segment, ends[0] / 2 + ends[1] / 2};
 }
 
+report_verdict path_motion_verdict(const path_pair *pair, size_t line, path_moment *at) {
+  if (pair->between != NULL) {
+    *at = (path_moment){line, pair->part[line]};
+    return (report_verdict)pair->between[line];
+  }
+  *at = path_between_moment(pair);
+  return at->line == line ? path_between_lines(pair) : VERDICT_FREE;
+}
+
 static bool is_before(path_moment a, path_moment b) {
   return a.line < b.line || (a.line == b.line && a.part < b.part);
 }

@@ -45,6 +45,8 @@ void path_scene_free(path_scene *scene) {
     sepax_chain_free(&scene->pair[n].chain);
     free(scene->pair[n].verdict);
     free(scene->pair[n].proof.interval);
+    free(scene->pair[n].between);
+    free(scene->pair[n].part);
   }
   free(scene->body);
   free(scene->body_of);

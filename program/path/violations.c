@@ -32,15 +32,16 @@ static void add(const path_scene *scene, violations *v, const path_pair *pair, p
   v->list[v->count++] = (path_violation){pair, verdict, step->kind, at, motion, 1, motion};
 }
 
+/* The motion that ends in a line, then the line itself. */
 static void add_pair(const path_scene *scene, violations *v, const path_pair *pair) {
-  report_verdict between = path_between_lines(pair);
-  path_moment at = between != VERDICT_FREE ? path_between_moment(pair) : (path_moment){0, 0};
   for (size_t line = 0; line < scene->motion.lines; line++) {
+    path_moment at;
+    report_verdict between = line > 0 ? path_motion_verdict(pair, line - 1, &at) : VERDICT_FREE;
+    if (between != VERDICT_FREE) {
+      add(scene, v, pair, at, between);
+    }
     if (pair->verdict[line] != VERDICT_FREE) {
       add(scene, v, pair, (path_moment){line, 0}, (report_verdict)pair->verdict[line]);
-    }
-    if (between != VERDICT_FREE && at.line == line) {
-      add(scene, v, pair, at, between);
     }
   }
 }

@@ -91,7 +91,8 @@ class Canon:
         return inner
 
     def next_line(self, state):
-        self.line = state.sequence_number
+        if state.sequence_number >= 0:  # not in a motion of the control's own, such as a quill's
+            self.line = state.sequence_number
         self.job.last[:8] = self.line.to_bytes(8, "little")
 
     def check_abort(self):

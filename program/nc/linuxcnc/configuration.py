@@ -6,6 +6,7 @@ import re
 AXES = "XYZABCUVW"
 LENGTHS = (0, 1, 2, 6, 7, 8)  # X Y Z U V W; the others are angles
 INCH = 25.4
+FAR = 1e9  # a limit that is none
 
 
 class Refusal(Exception):
@@ -121,6 +122,7 @@ class Machine:
         unit = self.scale if linear else 1.0
         low, high, home = (self.ini.number(section, name, default) * unit for name, default in
                            (("MIN_LIMIT", -1e99), ("MAX_LIMIT", 1e99), ("HOME", 0.0)))
+        low, high = max(low, -FAR), min(high, FAR)
         fastest = max(self.ini.number(name, "MAX_ACCELERATION", 0.0) * unit
                       for name in (section, f"AXIS_{self.letters[number]}"))
         kind = "linear" if linear else "angular"
