@@ -191,7 +191,8 @@ static bool has_intervals(const path_scene *scene, size_t tool, size_t other) {
   return false;
 }
 
-/* Pairs of parts of tools that the certificate does not prove: [part, link]. */
+/* Pairs that the certificate does not prove: those of parts of tools, [part, link], and of other
+ * bodies that what is left of the stock decides. */
 static json_t *left_out_of(const path_scene *scene) {
   json_t *list = json_array();
   for (size_t n = 0; n < scene->bodies; n++) {
@@ -201,6 +202,13 @@ static json_t *left_out_of(const path_scene *scene) {
         json_array_append_new(
             list, json_pack("[s, s]", path_body_name(scene, n), path_body_name(scene, other)));
       }
+    }
+  }
+  for (size_t n = 0; n < scene->pairs; n++) {
+    const path_pair *pair = &scene->pair[n];
+    if (pair->of_left) {
+      json_array_append_new(list, json_pack("[s, s]", path_body_name(scene, pair->body[0]),
+                                            path_body_name(scene, pair->body[1])));
     }
   }
   return list;

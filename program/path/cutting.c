@@ -109,9 +109,8 @@ static bool judge(path_cutting *c, const path_pair *pair, const sepax__stock_way
   return true;
 }
 
-/* Is a holder outside of the first stock's mesh, and does it stay away from it on the whole motion?
- */
-static bool is_outside(path_cutting *c, const path_pair *pair, bool *outside, sepax_error *error) {
+bool path_cutting_is_outside(path_cutting *c, const path_pair *pair, bool *outside,
+                             sepax_error *error) {
   report_verdict within = VERDICT_FREE;
   path_line l = path_line_begin(c->scene, c->q, pair);
   if (!path_certify_segment(c->scene, c->q, pair, c->line - 1, outside, error)) {
@@ -143,7 +142,7 @@ static bool test(path_cutting *c, nc_tool_part part, double from, double to, sep
   }
   bool is_free = found.free;
   bool has_mesh = !c->alone && c->q->first == NULL;
-  if (!is_free && holder && has_mesh && !is_outside(c, pair, &is_free, error)) {
+  if (!is_free && holder && has_mesh && !path_cutting_is_outside(c, pair, &is_free, error)) {
     return false;
   }
   if (is_free) {
@@ -168,6 +167,7 @@ static bool cut(path_cutting *c, double from, double to, sepax_error *error) {
   const path_pair *flutes = c->of[NC_FLUTES];
   const path_cutter *shapes = path_cutting_cutter(c, flutes);
   sepax__stock_way way = path_cutting_way(c, flutes, from, to);
+  c->stale = true;
   return sepax__stock_cut(c->outer, shapes->inside.shape, shapes->inside.count, &way,
                           path_cutting_tolerance(c), error) &&
          (c->inner == NULL ||
@@ -230,7 +230,8 @@ static void count(const path_scene *scene, path_pair *pair) {
   for (size_t n = 0; n < scene->motion.lines; n++) {
     bool ends = n > 0 && format_motion_goes_on(&scene->motion, n - 1);
     bool alone = !ends && !format_motion_goes_on(&scene->motion, n);
-    if ((!ends && !alone) || scene->motion.step[n].tool != pair->tool) {
+    bool there = pair->tool == FORMAT_NO_NAME || scene->motion.step[n].tool == pair->tool;
+    if ((!ends && !alone) || !there) {
       continue;
     }
     int v = pair->verdict[n];
@@ -260,9 +261,14 @@ static bool run(path_cutting *c, sepax_error *error) {
     c->alone = !ends && !format_motion_goes_on(&scene->motion, c->line);
     ok = c->q->page == NULL || !path_snapshot_due(scene, c->line) ||
          path_snapshot_take(scene, c->outer, c->line, error);
-    ok = ok && ((!ends && !c->alone) || !path_cutting_find_pairs(c) || go(c, error));
+    ok = ok && (!ends || path_cutting_others(c, error)) &&
+         ((!ends && !c->alone) || !path_cutting_find_pairs(c) || go(c, error));
+    if (ok && ends) {
+      path_cutting_others_meet(c);
+    }
     cli_progress_show(&progress, c->line);
   }
+  path_cutting_end_others(c);
   for (size_t n = 0; n < scene->pairs && ok; n++) {
     if (scene->pair[n].by_cells) {
       count(scene, &scene->pair[n]);

@@ -20,6 +20,11 @@ typedef struct {
   report_verdict found;
   double depth[2];
   size_t looks; /* closer looks that were taken */
+  /* What is left as a body, for bodies that are no part of a tool. */
+  path_body left;
+  bool nothing_left; /* it has no cell */
+  bool stale;        /* material was cut since it was made */
+  size_t made;       /* how often it was made */
 } path_cutting;
 
 /* What is there before the first motion: cutters of all bodies, both bounds of the stock, and
@@ -49,6 +54,18 @@ static inline const path_cutter *path_cutting_cutter(const path_cutting *c, cons
  * looks, or what is looked at is too large. Cost: all cuts of the path so far, near that place. */
 bool path_cutting_look_closer(path_cutting *c, path_pair *pair, double from, double to,
                               double shrink, double tolerance, bool *is_free, sepax_error *error);
+
+/* Is a body outside of the stock's mesh, and does it stay away from it on the whole motion at hand?
+ */
+bool path_cutting_is_outside(path_cutting *c, const path_pair *pair, bool *outside,
+                             sepax_error *error);
+
+/* Decide the pairs of the stock and bodies that are no part of a tool, in the motion at hand:
+ * before it cuts, whether they are free; after it, whether those that are not meet material. At the
+ * end the stock decides each pair that was not free of its first mesh. */
+bool path_cutting_others(path_cutting *c, sepax_error *error);
+void path_cutting_others_meet(path_cutting *c);
+void path_cutting_end_others(path_cutting *c);
 
 /* Write what is left, as --left says. */
 bool path_cutting_write_left(const path_cutting *c, sepax_error *error);

@@ -121,7 +121,8 @@ typedef struct {
   sepax_chain chain;
   size_t tool; /* the pair exists only while this tool is in the spindle; FORMAT_NO_NAME: always */
   bool bare;   /* flutes or shank, and the stock or the part: clearance and warning do not count */
-  bool by_cells;     /* decided by the stock as it is cut */
+  bool by_cells; /* decided by the stock as it is cut */
+  bool of_left;  /* no part of a tool, and not free of the first stock: so what is left decides */
   double deepest[2]; /* if by_cells: the deepest touch that was found, in metres: seen to touch when
                         shrunk by the first, free when shrunk by the second */
   size_t deepest_line;

@@ -29,8 +29,11 @@ void path_print_stock_pair(const path_scene *scene, const path_pair *pair) {
     }
   }
   if (path_in_lines(pair) == VERDICT_FREE) {
-    printf("  with tool %.60s ", scene->motion.name[pair->tool]);
-    if (part == NC_HOLDER) {
+    fputs("  ", stdout);
+    if (pair->tool != FORMAT_NO_NAME) {
+      printf("with tool %.60s ", scene->motion.name[pair->tool]);
+    }
+    if (part == NC_HOLDER || pair->of_left) {
       fputs("free of what is left", stdout);
     } else {
       printf("no deeper than %.6g mm in what is left%s", path_mm(s->depth),
