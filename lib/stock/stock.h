@@ -183,14 +183,21 @@ bool sepax__stock_fill_box(sepax__stock *stock, const double box[2][3], sepax_er
 bool sepax__stock_fill_shape(sepax__stock *stock, const sepax__stock_shape *shape,
                              const sepax_pose *pose, sepax_error *error);
 
+/* Shown while something takes long: the share that is done, 0 ... 1, hundreds of times or more. */
+typedef struct {
+  void (*show)(void *context, double share);
+  void *context;
+} sepax__stock_watch;
+
 /* Add the solid of a closed mesh: outer: every cell that touches a triangle or is inside; inner:
  * every cell inside that touches no triangle. Touching is judged with 2^-20 of a cell to spare. A
  * point is inside if the triangles wind around it (the winding number is not 0). That number is
  * computed once for each region of cells without a triangle. Errors: ARGUMENT if a coordinate is
  * not finite, or if a winding number is not whole, because the mesh is open or triangles are turned
  * round; MEMORY. After an error the stock must be freed. The caller proves that the mesh is closed
- * (sepax_shell_find): a hole much smaller than a cell is not seen here. */
-bool sepax__stock_fill_mesh(sepax__stock *stock, const sepax_soup *mesh, sepax_error *error);
+ * (sepax_shell_find): a hole much smaller than a cell is not seen here. `watch` may be NULL. */
+bool sepax__stock_fill_mesh(sepax__stock *stock, const sepax_soup *mesh,
+                            const sepax__stock_watch *watch, sepax_error *error);
 
 /* ----------------------------------------------------------------- cutting */
 

@@ -44,7 +44,7 @@ static bool make_close(path_cutting *c, sepax__stock **stock, const double touch
     }
   }
   return sepax__stock_new(stock, SEPAX__STOCK_OUTER, box, cell / 4, error) &&
-         sepax__stock_fill_mesh(*stock, &b->mesh, error);
+         sepax__stock_fill_mesh(*stock, &b->mesh, NULL, error);
 }
 
 bool path_cutting_look_closer(path_cutting *c, path_pair *pair, double from, double to,

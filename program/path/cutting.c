@@ -246,8 +246,8 @@ static void count(const path_scene *scene, path_pair *pair) {
 
 static bool run(path_cutting *c, sepax_error *error) {
   path_scene *scene = c->scene;
-  cli_progress progress = cli_progress_begin("motions through the stock", scene->motion.lines);
   bool ok = path_cutting_fill(c, error);
+  cli_progress progress = cli_progress_begin("motions through the stock", scene->motion.lines);
   for (size_t n = 0; n < scene->pairs && ok; n++) {
     path_pair *pair = &scene->pair[n];
     if (pair->by_cells) {
@@ -282,7 +282,7 @@ static bool run(path_cutting *c, sepax_error *error) {
           path_snapshot_take(scene, c->outer, scene->motion.lines - 1, error)) &&
          (c->q->left == NULL || path_cutting_write_left(c, error));
   }
-  scene->stock.seconds = cli_progress_end(&progress);
+  scene->stock.seconds += cli_progress_end(&progress);
   return ok;
 }
 

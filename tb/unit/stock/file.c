@@ -155,7 +155,7 @@ CASE(the_surface_is_closed_and_holds_the_cells) {
     /* filled with its own surface a stock is the same, and what is next to it in an outer bound */
     sepax__stock *again;
     assert_works(sepax__stock_new(&again, SEPAX__STOCK_OUTER, box, 0.21, &fault));
-    assert_works(sepax__stock_fill_mesh(again, &m, &fault));
+    assert_works(sepax__stock_fill_mesh(again, &m, NULL, &fault));
     for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
       assert_true(!has_cell(s, &f, at) || has_cell(again, &f, at));
     }

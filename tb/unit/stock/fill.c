@@ -135,8 +135,8 @@ CASE(meshes_fill_what_they_touch_or_hold) {
     int sign = n % 3 == 0 ? -1 : 1;
     add_turned_box(&mesh, &pose, half[0], sign);
     add_turned_box(&mesh, &pose, half[1], -sign);
-    assert_works(sepax__stock_fill_mesh(s[0], &mesh, &fault));
-    assert_works(sepax__stock_fill_mesh(s[1], &mesh, &fault));
+    assert_works(sepax__stock_fill_mesh(s[0], &mesh, NULL, &fault));
+    assert_works(sepax__stock_fill_mesh(s[1], &mesh, NULL, &fault));
     sepax__stock_facts f = sepax__stock_look(s[0]);
     for (int at[3] = {0, 0, 0}; is_cell(&f, at); next_cell(&f, at)) {
       int in = 0;
@@ -168,10 +168,10 @@ CASE(open_meshes_are_refused) {
   sepax_soup mesh = {0};
   add_turned_box(&mesh, &pose, (const double[]){1, 1, 1}, 1);
   mesh.count--;
-  assert_fault(sepax__stock_fill_mesh(s, &mesh, &fault), "it is open");
+  assert_fault(sepax__stock_fill_mesh(s, &mesh, NULL, &fault), "it is open");
   mesh.count++;
   mesh.facet[0].v[1][2] = NAN;
-  assert_fault(sepax__stock_fill_mesh(s, &mesh, &fault), "triangle 0");
+  assert_fault(sepax__stock_fill_mesh(s, &mesh, NULL, &fault), "triangle 0");
   sepax_soup_free(&mesh);
   sepax__stock_free(s);
 }

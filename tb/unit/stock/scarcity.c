@@ -17,7 +17,7 @@ static bool work_stock(void *context) {
   sepax__stock *s[2] = {NULL, NULL};
   sepax_soup surface = {0};
   bool works = sepax__stock_new(&s[0], SEPAX__STOCK_OUTER, box, 0.2, &fault) &&
-               sepax__stock_fill_mesh(s[0], &j->surface, &fault) &&
+               sepax__stock_fill_mesh(s[0], &j->surface, NULL, &fault) &&
                sepax__stock_fill_box(s[0], more, &fault) &&
                sepax__stock_fill_shape(s[0], &j->cutter.shape[1],
                                        &(sepax_pose){.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
