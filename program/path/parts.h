@@ -257,7 +257,8 @@ size_t path_unbounded_corners(const path_scene *scene, size_t *first);
 
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error);
 
-/* True if nothing is printed or written, so that the first collision ends the search. */
+/* True if nothing is printed or written, so that the first collision ends the search. Not where a
+ * stock is cut: what is left of it may decide anew. */
 bool path_status_only(const path_question *q);
 
 /* Certify the motion between the lines for all pairs that collide in no line. */

@@ -363,7 +363,8 @@ static void ask_block(void *context, size_t part) {
 }
 
 bool path_status_only(const path_question *q) {
-  return q->output.quiet && q->csv == NULL && q->picture == NULL && q->page == NULL;
+  return q->output.quiet && q->csv == NULL && q->picture == NULL && q->page == NULL &&
+         q->stock == NULL;
 }
 
 static void search_pairs(work *all, size_t pairs) {
