@@ -199,7 +199,8 @@ static bool read_stock(reader *r, sepax__stock **stock) {
   }
   if (memcmp(head, magic, sizeof magic) != 0) {
     return sepax_fail(r->error, SEPAX_ERROR_FORMAT,
-                      "%.300s: no stock of sepax; give a file that sepax wrote", r->path);
+                      "%.300s: no stock of sepax; give a file of --left without the ending .obj",
+                      r->path);
   }
   if (bytes_get32(head + 8) != VERSION) {
     return sepax_fail(r->error, SEPAX_ERROR_FORMAT,

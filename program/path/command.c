@@ -83,7 +83,7 @@ static const struct argp_option options[] = {
 
 static error_t parse_argument(path_question *q, char *text, struct argp_state *state) {
   if (q->motion != NULL) {
-    argp_error(state, "unexpected argument '%s': give a URDF and a CSV file", text);
+    argp_error(state, "unexpected argument '%s': give a URDF and a path", text);
   }
   *(q->urdf == NULL ? &q->urdf : &q->motion) = text;
   return 0;
@@ -161,7 +161,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return parse_argument(q, text, state);
   case ARGP_KEY_END:
     if (q->motion == NULL) {
-      argp_error(state, "give a URDF and a CSV file");
+      argp_error(state, "give a URDF and a path: a CSV file, or an NC program with --machine");
     }
     return 0;
   default:
@@ -248,6 +248,11 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "%s: applies only to tools; give --tools, too, or leave it out", of_tools);
   }
+  if (q->stock != NULL && q->part != NULL && strcmp(q->stock, q->part) == 0) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "part: %.60s is the stock, too; give the finished part as a link of its own",
+                      q->part);
+  }
   const char *of_stock = q->first != NULL        ? "first"
                          : q->left != NULL       ? "left"
                          : q->cell.text != NULL  ? "cells"
@@ -327,7 +332,7 @@ int cli_path(int argc, char **argv) {
       "of bodies first collides. Of the pairs that do not collide, tell how near they come. The "
       "bodies are the collision geometry of the links in the URDF file. The header of the CSV file "
       "names joints, and each line has their values. The verdict is exact for the pose of each "
-      "line. Only --certify checks the motion between the lines.\v"
+      "line. Only --certify checks the motion between the lines; programs always are.\v"
       "Exit status: 0 free, 1 collision, 2 error, 3 warning, 4 undecided.",
       children,
       NULL,

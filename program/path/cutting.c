@@ -196,8 +196,39 @@ static size_t parts_of(path_cutting *c) {
   return parts < 1 ? 1 : parts > 1e6 ? 1000000 : (size_t)parts;
 }
 
+/* Count what the flutes do in the motion at hand. A tool whose feeds touch nothing may have a wrong
+ * offset. */
+static bool count_feed(path_cutting *c, bool does_cut, sepax_error *error) {
+  const format_step *step = &c->scene->motion.step[c->line];
+  const path_pair *flutes = c->of[NC_FLUTES];
+  sepax__stock_touch found;
+  if (c->alone || step->kind != FORMAT_FEED || flutes == NULL ||
+      body_of(c, flutes)->turned->kind == NC_TOOL_PROBE) {
+    return true;
+  }
+  path_feeds *feeds = &c->scene->stock.feeds[step->tool];
+  feeds->feeds++;
+  if (!does_cut && feeds->still++ == 0) {
+    feeds->first_still = c->line;
+  }
+  if (!does_cut || feeds->touches) {
+    return true;
+  }
+  const path_cutter *shapes = path_cutting_cutter(c, flutes);
+  sepax__stock_way way = path_cutting_way(c, flutes, 0, 1);
+  if (!sepax__stock_test(c->outer, shapes->outside.shape, shapes->outside.count, &way, 0,
+                         path_cutting_tolerance(c), false, &found, error)) {
+    return false;
+  }
+  feeds->touches = !found.free;
+  return true;
+}
+
 static bool go(path_cutting *c, sepax_error *error) {
   bool does_cut = path_cutting_cuts(c);
+  if (!count_feed(c, does_cut, error)) {
+    return false;
+  }
   bool tested = c->of[NC_SHANK] != NULL || c->of[NC_HOLDER] != NULL;
   size_t parts = does_cut && tested ? parts_of(c) : 1;
   for (size_t n = 0; n < parts; n++) {
@@ -246,6 +277,10 @@ static void count(const path_scene *scene, path_pair *pair) {
 
 static bool run(path_cutting *c, sepax_error *error) {
   path_scene *scene = c->scene;
+  scene->stock.feeds = calloc(scene->motion.names + 1, sizeof *scene->stock.feeds);
+  if (scene->stock.feeds == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for tools");
+  }
   bool ok = path_cutting_fill(c, error);
   cli_progress progress = cli_progress_begin("motions through the stock", scene->motion.lines);
   for (size_t n = 0; n < scene->pairs && ok; n++) {

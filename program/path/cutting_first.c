@@ -104,9 +104,9 @@ bool path_cutting_begin(path_scene *scene, const path_question *q, sepax_error *
   if (!(s->depth < least / 2)) {
     return sepax_fail(
         error, SEPAX_ERROR_ARGUMENT,
-        "depth: %.6g mm is half of the radius of the smallest tool, %.6g mm, or more, "
-        "so nothing would be proved; give smaller --cells or a smaller --depth",
-        s->depth * 1e3, least * 1e3);
+        "depth: %.6g mm, with cells of %.6g mm, is half of the radius of the smallest tool, %.6g "
+        "mm, or more, so nothing would be proved; give smaller --cells or a smaller --depth",
+        s->depth * 1e3, s->cell * 1e3, least * 1e3);
   }
   return q->first != NULL || announce(scene, least, error);
 }

@@ -302,6 +302,20 @@ static json_t *violations_of(const path_scene *scene) {
   return json;
 }
 
+/* What each tool does in feeds. */
+static json_t *feeds_of(const path_scene *scene) {
+  json_t *json = json_array();
+  for (size_t n = 0; n < scene->motion.names; n++) {
+    const path_feeds *f = &scene->stock.feeds[n];
+    if (f->feeds > 0) {
+      json_array_append_new(json, json_pack("{s:s, s:I, s:I, s:b}", "tool", scene->motion.name[n],
+                                            "feeds", (json_int_t)f->feeds, "spindle_off",
+                                            (json_int_t)f->still, "touches_stock", f->touches));
+    }
+  }
+  return json;
+}
+
 json_t *path_report(const path_scene *scene, const path_question *q) {
   report_verdict worst = path_worst(scene);
   json_t *json = json_object();
@@ -334,6 +348,7 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
   }
   if (scene->stock.cell > 0) {
     const path_stock *s = &scene->stock;
+    json_object_set_new(json, "feeds", feeds_of(scene));
     json_object_set_new(json, "stock",
                         json_pack("{s:s, s:f, s:f, s:I, s:I, s:f}", "link",
                                   path_body_name(scene, s->body), "cell_mm", mm_of(s->cell),

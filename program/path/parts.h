@@ -163,6 +163,13 @@ typedef struct {
 
 enum { PATH_SNAPSHOTS = 16 };
 
+/* What the flutes of a tool do in feeds. */
+typedef struct {
+  size_t feeds, still; /* numbers of feeds, and of those in which the spindle does not turn */
+  size_t first_still;  /* the line where the first of these ends */
+  bool touches;        /* a feed touches what is left */
+} path_feeds;
+
 /* The stock as it is cut: its body, the side of its cells and the depth D, in metres; what is left.
  */
 typedef struct {
@@ -170,6 +177,7 @@ typedef struct {
   double cell, depth; /* cell is 0 if no stock is cut */
   size_t cells, bytes;
   double seconds;
+  path_feeds *feeds; /* of each name of the motion; NULL before the stock is cut */
   path_snapshot snapshot[PATH_SNAPSHOTS + 1]; /* in the order of the path; for the page */
   size_t snapshots;
 } path_stock;

@@ -63,6 +63,7 @@ void path_scene_free(path_scene *scene) {
   sepax_release(scene->row_of);
   sepax_release(scene->spread);
   nc_tools_free(&scene->tools);
+  free(scene->stock.feeds);
   for (size_t n = 0; n < scene->stock.snapshots; n++) {
     sepax_soup_free(&scene->stock.snapshot[n].mesh);
   }

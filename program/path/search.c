@@ -364,7 +364,7 @@ static void ask_block(void *context, size_t part) {
 
 bool path_status_only(const path_question *q) {
   return q->output.quiet && q->csv == NULL && q->picture == NULL && q->page == NULL &&
-         q->stock == NULL;
+         q->stock == NULL; /* a collision with the first stock may be none with what is left */
 }
 
 static void search_pairs(work *all, size_t pairs) {

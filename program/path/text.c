@@ -248,6 +248,7 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   }
   if (scene->stock.cell > 0) {
     path_print_stock(scene);
+    path_print_feeds(scene);
   } else if (q->stock != NULL) {
     printf("stock  %s, and no tool with flutes is in the spindle, so nothing is cut\n", q->stock);
   }
@@ -279,5 +280,5 @@ void path_print_text(const path_scene *scene, const path_question *q) {
            scene->tool_link != SIZE_MAX ? ", but for flutes and shanks with stock and part," : "",
            q->bands.clearance.text);
   }
-  printf("), %.3f s\n", scene->seconds + scene->between_seconds);
+  printf("), %.3f s\n", scene->seconds + scene->between_seconds + scene->stock.seconds);
 }

@@ -31,6 +31,7 @@ bool path_is_in_summary(const path_scene *scene, const path_pair *pair);
 void path_print_tool(const path_scene *scene, size_t tool, int width);
 
 /* What is left of the stock; violations by the lines of the program, the worst first. */
+void path_print_feeds(const path_scene *scene); /* tools that cut nothing */
 void path_print_stock(const path_scene *scene);
 void path_print_violations(const path_scene *scene);
 

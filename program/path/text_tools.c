@@ -40,8 +40,7 @@ void path_print_stock_pair(const path_scene *scene, const path_pair *pair) {
              part == NC_FLUTES ? ", except where it cuts" : "");
     }
   } else if (isfinite(pair->deepest[1])) {
-    printf("; %.4g ... %.4g mm deep in ", path_mm(fmax(0, pair->deepest[0])),
-           path_mm(pair->deepest[1]));
+    printf("; no deeper than %.4g mm, in ", path_mm(pair->deepest[1]));
     path_print_line(scene, NULL, pair->deepest_line);
   }
   putchar('\n');
@@ -52,6 +51,24 @@ void path_print_stock(const path_scene *scene) {
   printf("stock  %s, cut in cells of %.6g mm; %.6g cm3 are left at most; %zu KB, %.3f s\n",
          path_body_name(scene, s->body), path_mm(s->cell),
          (double)s->cells * s->cell * s->cell * s->cell * 1e6, s->bytes / 1000, s->seconds);
+}
+
+void path_print_feeds(const path_scene *scene) {
+  for (size_t n = 0; n < scene->motion.names; n++) {
+    const path_feeds *f = &scene->stock.feeds[n];
+    if (f->still > 0) {
+      printf("note   tool %.60s feeds with the spindle off in ", scene->motion.name[n]);
+      report_print_count(f->still, "motion");
+      fputs(", first in ", stdout);
+      path_print_line(scene, NULL, f->first_still);
+      puts(": it cuts nothing there");
+    }
+    if (f->feeds > f->still && !f->touches) {
+      printf("note   tool %.60s touches nothing of the stock in ", scene->motion.name[n]);
+      report_print_count(f->feeds - f->still, "feed");
+      puts(": are its length and the work offset right?");
+    }
+  }
 }
 
 /* By the lines of the program, the worst first. */

@@ -151,6 +151,13 @@ static bool add_body(path_scene *scene, const path_question *q, const nc_turned_
   }
   sepax_error inner = {0};
   if (!sepax__revolve(&mesh, NULL, &tool->part[part], &how, &inner)) {
+    if (shrink > 0 && inner.code == SEPAX_ERROR_LIMIT) {
+      return sepax_fail(
+          error, SEPAX_ERROR_ARGUMENT,
+          "gouge: too little is left of the flutes of tool %d, which are shrunk by %g "
+          "mm; give a smaller --gouge",
+          tool->number, shrink);
+    }
     return sepax_fail(error, inner.code, "%.200s:%zu: tool %d, %s: %.200s", scene->tools.path,
                       tool->line, tool->number, role, inner.text);
   }

@@ -128,6 +128,11 @@ class Hal:
             if machine.kins + "." in text:
                 raise Refusal(f"{path}: Tcl sets pins of {machine.kins}, which is not read; "
                               f"give --control=set={machine.kins}.PIN=VALUE for each")
+        known = [f"{machine.kins}.{name}" for name in PARAMETERS[machine.kins]]
+        for pin in given:
+            if pin not in known:
+                raise Refusal(f"linuxcnc: --control=set={pin}: no pin of {machine.kins}, which has "
+                              f"{', '.join(known) or 'none'}")
         found = {}
         for name, default in PARAMETERS[machine.kins].items():
             pin = f"{machine.kins}.{name}"

@@ -55,6 +55,8 @@ class Job:
             self.table_units = value
         elif name == "--seconds":
             self.seconds = self._numbers(word, value)[0]
+            if not self.seconds > 0:
+                raise Refusal(f"linuxcnc: {word}: give a time above 0")
         elif name == "--block-delete":
             self.block_delete = True
         elif name == "--start":
@@ -99,7 +101,7 @@ class Job:
                     line.decode("utf-8")
                 except UnicodeDecodeError:
                     raise Refusal(f"{self.program}:{number}: a character that is not UTF-8; "
-                                  f"convert the file, for example by iconv -f latin1 -t utf-8") from None
+                                  f"convert the file (iconv -f latin1 -t utf-8)") from None
 
     def _change_position(self):
         text = self.ini.get("EMCIO", "TOOL_CHANGE_POSITION")

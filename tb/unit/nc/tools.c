@@ -154,13 +154,13 @@ static void not_found(const char *text, nc_tool row, int number, const char *why
 
 CASE(test_table) {
   found(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10, 120), 120);
-  found(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10 + 9e-7, 120 - 9e-7), 120);
+  found(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10 + 9e-5, 120 - 9e-5), 120);
   found(LENGTHS "1,flat,10,25,,,120,", row_of(1, 0, 0), 120);
   found(LENGTHS "1,flat,10,25,,,,", row_of(1, 10, 118), 118);
   found(LENGTHS "1,flat,10,25,40,50@80,,8", row_of(1, 10, 120), 120);
   disagree(LENGTHS "1,flat,10,25,,,120,", row_of(1, 12, 120),
            "its diameter is 10 mm, but 12 mm in tool.tbl; mend");
-  disagree(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10 + 2e-6, 120), "in tool.tbl; mend");
+  disagree(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10 + 2e-4, 120), "in tool.tbl; mend");
   disagree(LENGTHS "1,flat,10,25,,,120,", row_of(1, 10, 122),
            "its length is 120 mm, but 122 mm in tool.tbl; mend");
   disagree(LENGTHS "1,flat,10,25,40,50@80,,8", row_of(1, 10, 122),
