@@ -55,12 +55,13 @@ typedef struct {
  * the corners (0, 0, 0), (R, 0, R), (R, L, 0), (0, L, 0).
  *
  * The solid lies inside `outside`, and `inside` lies inside the solid, up to rounding, which cuts
- * and tests add. Straight edges, balls at the end of a cylinder and whole balls are kept as they
- * are. Other arcs become chords in `inside`, tangents in `outside`: no point of the surface of
- * either is farther than `error_most` from the solid's, but for the corners of the tangents, which
- * are up to twice as far away. A 256th of a cell suits a depth of two cells. Errors: ARGUMENT if
- * the profile is not as above, not convex, if an arc is longer than its edges or a number is not
- * finite; LIMIT if it needs more than SEPAX__STOCK_LIMITS limits. */
+ * and tests add. Straight edges, balls and quarters of circles between a flat face and a cylinder,
+ * as of a bull nose, are kept as they are. Other arcs become chords in `inside`, tangents in
+ * `outside`: no point of the surface of either is farther than `error_most` from the solid's, but
+ * for the corners of the tangents, which are up to twice as far away. A 256th of a cell suits a
+ * depth of two cells. Errors: ARGUMENT if the profile is not as above, not convex, if an arc is
+ * longer than its edges or a number is not finite; LIMIT if it needs more than SEPAX__STOCK_LIMITS
+ * limits. */
 bool sepax__stock_shape_make(const sepax__stock_corner *corner, size_t count, double error_most,
                              sepax__stock_shape *inside, sepax__stock_shape *outside,
                              sepax_error *error);
@@ -204,10 +205,10 @@ bool sepax__stock_fill_mesh(sepax__stock *stock, const sepax_soup *mesh,
 /* The tool goes a way and cuts. Outer: give the shapes `inside`; a cell goes if all of it lies in
  * one of them, shrunk by `tolerance` and the deviation of the way, while it goes one piece of the
  * way. Inner: give `outside`; cells go that one of them may touch, made larger by the same. The
- * tolerance is how far the machine may be from the way. Ways are divided until the deviation is at
- * most cell / 8 or does not fall any more. Errors: ARGUMENT if a pose is not valid, or the
- * tolerance is negative or not finite; MEMORY. After an error an outer bound is still an outer
- * bound; an inner one must be freed. */
+ * tolerance is how far the machine may be from the way. Ways are divided until deviation and
+ * tolerance are at most cell / 8, the deviation cell / 32, or it does not fall any more. Errors:
+ * ARGUMENT if a pose is not valid, or the tolerance is negative or not finite; MEMORY. After an
+ * error an outer bound is still an outer bound; an inner one must be freed. */
 bool sepax__stock_cut(sepax__stock *stock, const sepax__stock_shape *shape, size_t shapes,
                       const sepax__stock_way *way, double tolerance, sepax_error *error);
 
