@@ -182,11 +182,20 @@ typedef struct {
   size_t snapshots;
 } path_stock;
 
+/* The link of the URDF from which the nose of the spindle is where the axes are, up to `off`
+ * metres.
+ */
+typedef struct {
+  size_t link; /* SIZE_MAX: not asked */
+  double off;
+} path_agreement;
+
 typedef struct {
   sepax_robot robot;
   format_motion motion;
   nc_motion nc;                    /* of an NC program; otherwise zero */
   size_t joint_of[NC_JOINTS_MOST]; /* the URDF's joint of each joint of the control */
+  path_agreement agreement;        /* of kinematics that are not trivial */
   nc_tools tools;                  /* of --tools */
   size_t tool_link;                /* SIZE_MAX: no tools */
   size_t *partner;                 /* links that are compared with the link of the tools */

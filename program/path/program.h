@@ -8,6 +8,10 @@
 /* Run the interpreter, and make the path of scene->robot from what the program does. */
 bool path_program_read(path_scene *scene, const path_question *q, sepax_error *error);
 
+/* Refuse a URDF that does not move as the kinematics of the control say, as far as a tool's link is
+ * known. Fills in scene->agreement. */
+bool path_program_agrees(path_scene *scene, const path_question *q, sepax_error *error);
+
 /* Replace each rapid in which the axes take their own time by motions that cover all ways between
  * its ends. All pairs are there. */
 bool path_program_doglegs(path_scene *scene, const path_question *q, sepax_error *error);

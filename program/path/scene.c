@@ -330,12 +330,14 @@ static bool read_motion(path_scene *scene, const path_question *q, sepax_error *
 }
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
-  *scene = (path_scene){.tool_link = SIZE_MAX, .gouge = q->gouge.length};
+  *scene =
+      (path_scene){.tool_link = SIZE_MAX, .gouge = q->gouge.length, .agreement.link = SIZE_MAX};
   const sepax_robot_reading how = {sizeof how, q->package, q->packages};
   if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
-      (q->tools != NULL && !path_tools_read(scene, q, error)) || !make_bodies(scene, q, error) ||
-      (q->tools != NULL && !path_tools_bodies(scene, q, error)) || !links_known(scene, q, error) ||
-      !choose_pairs(scene, q, error)) {
+      (q->tools != NULL && !path_tools_read(scene, q, error)) ||
+      (q->machine != NULL && !path_program_agrees(scene, q, error)) ||
+      !make_bodies(scene, q, error) || (q->tools != NULL && !path_tools_bodies(scene, q, error)) ||
+      !links_known(scene, q, error) || !choose_pairs(scene, q, error)) {
     return false;
   }
   if ((scene->pairs == 0 && !fail_no_pair(scene, q, error)) ||

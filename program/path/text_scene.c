@@ -192,8 +192,30 @@ static void print_notes(const nc_program *p) {
   }
 }
 
+/* The kinematics of the control, with its parameters in mm. */
+static void print_kinematics(const path_scene *scene) {
+  const nc_program *p = &scene->nc.program;
+  printf("kins  ");
+  for (size_t n = 0; n < p->machine_words; n++) {
+    printf(" %.60s", p->machine[n]);
+  }
+  for (size_t n = 0; n < p->parameters; n++) {
+    const nc_parameter *of = &p->parameter[n];
+    printf("%s %.60s %.9g mm%s", n == 0 ? ":" : ",", of->name, of->value,
+           of->follows ? " + tool length" : "");
+  }
+  if (scene->agreement.link != SIZE_MAX) {
+    printf("; the URDF agrees within %.1g mm, by link %.60s", path_mm(scene->agreement.off),
+           scene->robot.mechanism.link[scene->agreement.link].name);
+  }
+  putchar('\n');
+}
+
 /* What is taken for granted of an NC program. */
 static void print_program(const path_scene *scene, const path_question *q) {
+  if (scene->nc.program.parameters > 0) {
+    print_kinematics(scene);
+  }
   printf("start  %s%s\n",
          q->start != NULL ? "the axes are at "
                           : "the machine is at home when the program starts; --start gives another "

@@ -92,8 +92,10 @@ static sepax_body *plate(double height, double from) {
   sepax_soup soup = {.facet = facet, .count = LENGTH(facet)};
   sepax_body *body = NULL;
   for (size_t n = 0; n < soup.count; n++) {
-    double x = from + (double)(n / 2 % SIDE);
-    double y = (double)(n / 2 / SIDE);
+    size_t row = n / 2 / SIDE;
+    size_t column = n / 2 % SIDE;
+    double x = from + (double)column;
+    double y = (double)row;
     const double corner[4][2] = {{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}};
     for (size_t k = 0; k < 3; k++) {
       size_t at = n % 2 == 0 || k == 0 ? k : k + 1;

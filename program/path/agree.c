@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: MIT */
+/* agree.c - whether the URDF moves as the kinematics of the control say. With the tool center point
+ * in force, the nose of the spindle, without a tool, is where the axes are, as seen from the table,
+ * however the rotary axes are turned. So the difference of both must be the same everywhere. A
+ * pivot, an offset or a direction of the URDF that is not that of the control shows here. */
+#include "nc/kinematics.h"
+#include "path/program.h"
+#include "util/error.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { PLACES = 24 };
+
+/* No link may be off by more, in metres. Numbers of a URDF are often rounded to micrometres. */
+static const double off_most = 5e-5;
+
+/* Some positions of the axes, in mm and degrees; the first is at 0. */
+static void choose(size_t n, nc_jet axis[NC_AXES]) {
+  static const double step[NC_AXES] = {37, 53, 71, 23, 29, 101, 0, 0, 0};
+  static const double most[NC_AXES] = {100, 100, 100, 40, 40, 180, 0, 0, 0};
+  for (int i = 0; i < NC_AXES; i++) {
+    double x = most[i] > 0 ? fmod((double)n * step[i], 2 * most[i]) : 0;
+    x = x > most[i] ? x - 2 * most[i] : x;
+    axis[i] = (nc_jet){nc_point(x), nc_point(0), nc_point(0)};
+  }
+}
+
+/* The values of all joints of the URDF at a position of the axes. */
+static void find_values(const path_scene *scene, const nc_kinematics *k, const nc_jet axis[NC_AXES],
+                        double *value) {
+  nc_jet joint[NC_JOINTS_MOST];
+  nc_kinematics_joints(k, axis, joint);
+  for (size_t n = 0; n < scene->robot.mechanism.joints; n++) {
+    value[n] = 0;
+  }
+  for (size_t n = 0; n < k->joints; n++) {
+    if (scene->joint_of[n] != SEPAX_NO_JOINT) {
+      value[scene->joint_of[n]] = joint[n].v.lo / 2 + joint[n].v.hi / 2;
+    }
+  }
+  sepax_mechanism_follow(&scene->robot.mechanism, value);
+}
+
+/* How far the nose is off where the axes are, as seen from a link, at most. */
+static bool find_off(const path_scene *scene, const nc_kinematics *k, size_t link, double *value,
+                     double *off, sepax_error *error) {
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  sepax_chain chain;
+  double first[3] = {0};
+  *off = 0;
+  if (!sepax_chain_find(&chain, m, scene->tool_link, link, error)) {
+    return false;
+  }
+  for (size_t n = 0; n < PLACES; n++) {
+    nc_jet axis[NC_AXES];
+    sepax_pose pose[2];
+    double sum = 0;
+    choose(n, axis);
+    find_values(scene, k, axis, value);
+    sepax_chain_poses(&chain, m, value, pose);
+    for (int i = 0; i < 3; i++) {
+      double x = 0;
+      for (int j = 0; j < 3; j++) {
+        x += pose[1].rotation[j][i] * (pose[0].translation[j] - pose[1].translation[j]);
+      }
+      x -= axis[i].v.lo * 1e-3;
+      first[i] = n == 0 ? x : first[i];
+      sum += (x - first[i]) * (x - first[i]);
+    }
+    *off = fmax(*off, sqrt(sum));
+  }
+  sepax_chain_free(&chain);
+  return true;
+}
+
+bool path_program_agrees(path_scene *scene, const path_question *q, sepax_error *error) {
+  nc_kinematics k;
+  const sepax_mechanism *m = &scene->robot.mechanism;
+  path_agreement *best = &scene->agreement;
+  *best = (path_agreement){.link = SIZE_MAX, .off = INFINITY};
+  if (scene->tool_link == SIZE_MAX) {
+    return true;
+  }
+  if (!nc_kinematics_of(&k, &scene->nc.program, q->motion, error)) {
+    return false;
+  }
+  if (k.module == NC_TRIVIAL) {
+    return true;
+  }
+  nc_kinematics_switch(&k, k.identity_first ? 1 : 0);
+  double *value = calloc(m->joints + 1, sizeof *value);
+  if (value == NULL) {
+    return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", m->joints);
+  }
+  bool ok = true;
+  for (size_t n = 0; n < m->links && ok; n++) {
+    double off = 0;
+    ok = find_off(scene, &k, n, value, &off, error);
+    if (off < best->off) {
+      *best = (path_agreement){n, off};
+    }
+  }
+  free(value);
+  if (ok && best->off > off_most) {
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT,
+        "%.200s: does not move as %.60s says: the nose of the spindle leaves the place of the axes "
+        "by %.3g mm, as seen from link %.60s; mend pivots, offsets or directions in one of the two",
+        q->urdf, scene->nc.program.machine[0], best->off * 1e3, m->link[best->link].name);
+  }
+  return ok;
+}
