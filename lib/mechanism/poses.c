@@ -42,6 +42,20 @@ sepax_pose sepax__step_of(const sepax_joint *joint, double value) {
   return sepax_pose_compose(&joint->origin, &moved);
 }
 
+sepax_pose sepax__pose_seen(const sepax_pose *from, const sepax_pose *pose) {
+  sepax_pose r = {.translation = {0}};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      double turned = from->rotation[k][i];
+      r.translation[i] += turned * (pose->translation[k] - from->translation[k]);
+      for (int j = 0; j < 3; j++) {
+        r.rotation[i][j] += turned * pose->rotation[k][j];
+      }
+    }
+  }
+  return r;
+}
+
 bool sepax_joint_driven(const sepax_joint *joint) {
   return joint->kind != SEPAX_JOINT_FIXED && joint->mimic == SEPAX_NO_JOINT;
 }

@@ -8,6 +8,9 @@
 /* The child's pose in the parent's coordinates. */
 sepax_pose sepax__step_of(const sepax_joint *joint, double value);
 
+/* A pose in the coordinates of another one. */
+sepax_pose sepax__pose_seen(const sepax_pose *from, const sepax_pose *pose);
+
 /* sepax_mechanism_join; where one joint is at fault, `wrong` gets its number. */
 bool sepax__mechanism_join(sepax_mechanism *m, size_t *wrong, sepax_error *error);
 

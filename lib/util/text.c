@@ -72,6 +72,22 @@ bool sepax__text_read(text_bytes *text, const char *path, size_t most, sepax_err
   return ok;
 }
 
+bool sepax__text_csv(text_bytes *text, size_t *begin, const char *path, size_t most,
+                     sepax_error *error) {
+  static const char mark[] = "\xef\xbb\xbf";
+  if (!sepax__text_read(text, path, most, error)) {
+    return false;
+  }
+  if (memchr(text->bytes, '\0', text->size) != NULL) {
+    sepax_release(text->bytes);
+    *text = (text_bytes){NULL, 0};
+    return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: it has bytes of zero; give CSV as text",
+                      path);
+  }
+  *begin = strncmp(text->bytes, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
+  return true;
+}
+
 /* ----------------------------------------------------------------- numbers */
 
 enum { FIVES = 28 };

@@ -13,6 +13,11 @@ typedef struct {
 /* The whole of a file, or of a pipe, that has `most` bytes at most. On failure *text is zero. */
 bool sepax__text_read(text_bytes *text, const char *path, size_t most, sepax_error *error);
 
+/* The whole of a file of CSV, likewise. It has no bytes of zero. *begin is where it begins: behind
+ * the byte order mark of UTF-8 that some editors write. */
+bool sepax__text_csv(text_bytes *text, size_t *begin, const char *path, size_t most,
+                     sepax_error *error);
+
 /* The decimal number at the beginning of the text, which ends with a '\0': sign, digits with a
  * point among them or not, exponent; rounded once, to the nearest double, infinite beyond the
  * largest. The calling thread has the numbers of locale C (plain_numbers.h). Returns the end of it,

@@ -89,14 +89,13 @@ bool format_rules_read(format_rules *rules, const char *path, sepax_error *error
   enum { BYTES_MOST = 1 << 20 };
   reader r = {.path = path, .rules = rules};
   text_bytes text;
+  size_t begin = 0;
   *rules = (format_rules){0};
-  if (!sepax__text_read(&text, path, BYTES_MOST, error)) {
+  if (!sepax__text_csv(&text, &begin, path, BYTES_MOST, error)) {
     return false;
   }
-  bool ok =
-      memchr(text.bytes, '\0', text.size) == NULL ||
-      sepax_fail(error, SEPAX_ERROR_FORMAT, "%.300s: it has bytes of zero; give CSV as text", path);
-  for (piece left = {text.bytes, text.size}; ok && left.length > 0;) {
+  bool ok = true;
+  for (piece left = {text.bytes + begin, text.size - begin}; ok && left.length > 0;) {
     const char *end = memchr(left.at, '\n', left.length);
     size_t length = end != NULL ? (size_t)(end - left.at) : left.length;
     piece line = piece_trimmed((piece){left.at, length});

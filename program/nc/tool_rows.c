@@ -384,19 +384,15 @@ static bool read_lines(reader *r, piece text, sepax_error *error) {
 }
 
 bool nc_tool_rows_read(nc_tool_rows *rows, const char *path, sepax_error *error) {
-  static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, as editors put it in front of a file */
   reader r = {.rows = rows, .path = path};
   text_bytes text;
+  size_t begin = 0;
   *rows = (nc_tool_rows){0};
-  if (!sepax__text_read(&text, path, bytes_most, error)) {
+  if (!sepax__text_csv(&text, &begin, path, bytes_most, error)) {
     return false;
   }
-  size_t skip = strncmp(text.bytes, mark, strlen(mark)) == 0 ? strlen(mark) : 0;
   plain_numbers plain = plain_numbers_begin();
-  bool ok = memchr(text.bytes, '\0', text.size) == NULL
-                ? read_lines(&r, (piece){text.bytes + skip, text.size - skip}, error)
-                : sepax_fail(error, SEPAX_ERROR_FORMAT,
-                             "%.300s: it has bytes of zero; give CSV as text", path);
+  bool ok = read_lines(&r, (piece){text.bytes + begin, text.size - begin}, error);
   plain_numbers_end(plain);
   sepax_release(text.bytes);
   if (!ok) {

@@ -3,6 +3,7 @@
  * in force, the nose of the spindle, without a tool, is where the axes are, as seen from the table,
  * however the rotary axes are turned. So the difference of both must be the same everywhere. A
  * pivot, an offset or a direction of the URDF that is not that of the control shows here. */
+#include "mechanism/steps.h"
 #include "nc/kinematics.h"
 #include "path/program.h"
 #include "util/error.h"
@@ -59,12 +60,9 @@ static bool find_off(const path_scene *scene, const nc_kinematics *k, size_t lin
     choose(n, axis);
     find_values(scene, k, axis, value);
     sepax_chain_poses(&chain, m, value, pose);
+    const sepax_pose nose = sepax__pose_seen(&pose[1], &pose[0]);
     for (int i = 0; i < 3; i++) {
-      double x = 0;
-      for (int j = 0; j < 3; j++) {
-        x += pose[1].rotation[j][i] * (pose[0].translation[j] - pose[1].translation[j]);
-      }
-      x -= axis[i].v.lo * 1e-3;
+      double x = nose.translation[i] - axis[i].v.lo * 1e-3;
       first[i] = n == 0 ? x : first[i];
       sum += (x - first[i]) * (x - first[i]);
     }

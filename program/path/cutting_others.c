@@ -3,6 +3,7 @@
  * cut. They are compared with the first stock's mesh like all bodies. Where they are not free of
  * that, they are compared with the surface of what is left, which is a body like any other. */
 #include "path/cutting_state.h"
+#include "mechanism/steps.h"
 #include "path/line.h"
 #include "util/error.h"
 
@@ -79,17 +80,11 @@ static bool meets_material(const path_cutting *c, const path_pair *pair, double 
   sepax_pose pose[2];
   path_values(motion, (path_moment){c->line - 1, part}, c->value);
   sepax_chain_poses(&pair->chain, &scene->robot.mechanism, c->value, pose);
+  sepax_pose seen = sepax__pose_seen(&pose[!other], &pose[other]);
   for (size_t n = 0; n < 3 * b->mesh.count; n++) {
     double at[3];
-    double v[3];
-    sepax_pose_apply(&pose[other], b->mesh.facet[n / 3].v[n % 3], at);
-    for (int i = 0; i < 3; i++) {
-      v[i] = 0;
-      for (int k = 0; k < 3; k++) {
-        v[i] += pose[!other].rotation[k][i] * (at[k] - pose[!other].translation[k]);
-      }
-    }
-    if (sepax__stock_has(c->inner, v)) {
+    sepax_pose_apply(&seen, b->mesh.facet[n / 3].v[n % 3], at);
+    if (sepax__stock_has(c->inner, at)) {
       return true;
     }
   }

@@ -179,18 +179,8 @@ enum { SWEEP_WORK = 4096, PAUSE_MOST = 63, SWEEP_FROM = 4 };
 /* The pose of the first body as seen from the second. */
 static sepax_pose seen(const path_asking *a, const double *value) {
   sepax_pose pose[2];
-  sepax_pose r = {.translation = {0}};
   sepax_chain_poses(&a->pair->chain, &a->scene->robot.mechanism, value, pose);
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      double turned = pose[1].rotation[k][i];
-      r.translation[i] += turned * (pose[0].translation[k] - pose[1].translation[k]);
-      for (int j = 0; j < 3; j++) {
-        r.rotation[i][j] += turned * pose[0].rotation[k][j];
-      }
-    }
-  }
-  return r;
+  return sepax__pose_seen(&pose[1], &pose[0]);
 }
 
 /* Do the bodies slide along each other far enough apart? The way of each point is straight but for

@@ -2,6 +2,7 @@
 /* scene.c - measures the pairs of a machine in each line of a path. docs/reference/size.md. */
 #include "size/workloads.h"
 #include "size/parts.h"
+#include "mechanism/steps.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -15,21 +16,6 @@ void size_scene_free(size_answer *answer) {
 
 const path_pair *size_pair_of(const size_answer *answer, size_t n) {
   return &answer->scene.pair[answer->engine.pair[n]];
-}
-
-/* The pose of B in A's coordinates. The rotations are orthonormal up to rounding. */
-static sepax_pose between(const sepax_pose pose[2]) {
-  sepax_pose r = {.translation = {0}};
-  for (int i = 0; i < 3; i++) {
-    for (int k = 0; k < 3; k++) {
-      double turned = pose[0].rotation[k][i];
-      r.translation[i] += turned * (pose[1].translation[k] - pose[0].translation[k]);
-      for (int j = 0; j < 3; j++) {
-        r.rotation[i][j] += turned * pose[1].rotation[k][j];
-      }
-    }
-  }
-  return r;
 }
 
 /* Measure two bodies as two meshes of which one moves, for a core without an engine and for object
@@ -47,7 +33,7 @@ static bool measure_pair(sepax_size *size, const size_answer *answer, size_t n,
     sepax_pose pose[2];
     sepax_chain_poses(&pair->chain, &scene->robot.mechanism, &motion->value[line * motion->joints],
                       pose);
-    path.pose[line] = between(pose);
+    path.pose[line] = sepax__pose_seen(&pose[0], &pose[1]);
   }
   const sepax_space space = {.resolution = answer->engine.resolution,
                              .path = &path,
