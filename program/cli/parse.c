@@ -110,11 +110,13 @@ void cli_parse(const struct argp *argp, int argc, char **argv, void *input) {
       check_option(&all, n, optarg, argv[0]);
     }
   }
-  for (int n = optind; n < argc; n++) {
-    if (words[n][0] == '\0') {
-      refuse(argv[0], "argument %d is empty; give a name", n - optind + 1);
-    }
+  int empty = optind;
+  while (empty < argc && words[empty][0] != '\0') {
+    empty++;
   }
   free(words);
+  if (empty < argc) {
+    refuse(argv[0], "argument %d is empty; give a name", empty - optind + 1);
+  }
   argp_parse(argp, argc, argv, 0, NULL, input);
 }
