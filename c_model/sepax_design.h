@@ -87,7 +87,7 @@ typedef struct {
   int epsilon;         /* paper: tolerance of coplanarity in LSB, 0 ... 2^(W-1) - 1; 0: equality */
   bool flag;           /* exact: call coplanar pairs collisions and flag them as undecided */
   sepax_target target; /* exact: technology */
-  int clock_ps;        /* exact: clock period to pipeline for, 500 ... 20000 ps */
+  int clock_ps;        /* exact: clock period to pipeline for, 500 ... 1000000 ps */
   sepax_corner corner; /* exact: corner of the cells */
   int extent_a, extent_b; /* exact: longest AABB side of a triangle of A and of B, in LSB, that the
                              core decides; 0 and 0: no limit */

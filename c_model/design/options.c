@@ -59,8 +59,9 @@ static const design_option table[] = {
      .help = "exact: decide coplanar pairs (default); flag: call them collisions and flag them as "
              "undecided, which saves gates"},
     {.name = "clock-ns", .kind = OPTION_PERIOD, FIELD(clock_ps), .standard = 2000,
-     RANGE(500, 20000), .archs = EXACT, .shown = true, .tag = "-%sns", .argument = "PERIOD",
-     .help = "clock period in ns for which pipeline registers are placed, 0.5 ... 20 (default 2)"},
+     RANGE(500, 1000000), .archs = EXACT, .shown = true, .tag = "-%sns", .argument = "PERIOD",
+     .help = "clock period in ns for which pipeline registers are placed, 0.5 ... 1000 (default "
+             "2)"},
     {.name = "corner", .kind = OPTION_CHOICE, FIELD(corner), CHOICES(corner_names), .archs = EXACT,
      .tag = "-%s", .argument = "NAME",
      .help = "corner of the cells for which the clock period must hold: typical (default) or slow"},
@@ -308,7 +309,7 @@ static bool parse_period(int *picoseconds, const char *option, const char *text,
   plain_numbers_end(plain);
   if (end == text || *end != '\0' || !(number > 0) || number > 1000) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 20", option, text);
+                      "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 1000", option, text);
   }
   int rounded = (int)(number * 1000 + 0.5);
   if (number * 1000 - rounded > 1e-6 || rounded - number * 1000 > 1e-6) {

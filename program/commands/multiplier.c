@@ -124,9 +124,9 @@ static bool check(const multiplier_options *o, sepax_error *error) {
                       "%s: applies only to an ASIC; leave out the option, or --target",
                       o->digits != 0 ? "digits" : "clock-ns");
   }
-  if (o->period != 0 && !(o->period >= 0.5 && o->period <= 20)) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "clock-ns: %g is out of range; give 0.5 ... 20",
-                      o->period);
+  if (o->period != 0 && !(o->period >= 0.5 && o->period <= 1000)) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "clock-ns: %g is out of range; give 0.5 ... 1000", o->period);
   }
   arith_form form = form_of(o);
   if (o->period != 0 && o->period < arith_shortest(&form)) {

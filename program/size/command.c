@@ -64,7 +64,7 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Design:", 3},
     {"time", KEY_TIME, "TIME", 0,
      "time that a pose may take, with a unit (ns, us, ms, s; default 0.96ms)", 0},
-    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period in ns, 0.5 ... 20 (default 2)", 0},
+    {"clock-ns", KEY_CLOCK, "PERIOD", 0, "clock period in ns, 0.5 ... 1000 (default 2)", 0},
     {"lanes", KEY_LANES, "COUNT", 0,
      "consider only designs with this number of comparator lanes, 0 ... 64; 0 is a core without "
      "an engine (default: any number)",

@@ -248,7 +248,9 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     }
   }
   double skew = last.stage > 0 ? m->skew_lost : 0;
-  p->latency = settle(last, delay_adder(m, p_w) + skew, available).stage;
+  arith_moment end = settle(last, delay_adder(m, p_w) + skew, available);
+  p->latency = end.stage;
+  p->settled = end.time;
   if (p->latency >= ARITH_STAGES) {
     p->fault = "more pipeline registers than ARITH_STAGES";
     return;

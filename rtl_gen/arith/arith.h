@@ -94,6 +94,7 @@ typedef struct {
   int terms; /* of a sum of products; 0: a product */
   arith_addend addend[ARITH_ADDENDS];
   int rows, levels, latency;  /* rows of a product */
+  double settled;             /* gates: ns in the last stage until the product is there */
   int registers;              /* bits in all pipeline registers */
   int crossing[ARITH_STAGES]; /* in each */
   arith_bit bit[ARITH_BITS];

@@ -74,6 +74,16 @@ static bool is_there(const coordinates *c, int axis, int v, int bank) {
   return end > a->start[bank - 1] + c->ii;
 }
 
+int coordinates_count(const coordinates *c) {
+  int count = 0;
+  for (int axis = 0; axis < AXES; axis++) {
+    for (int n = 0; n < 6 * c->axis[axis].banks; n++) {
+      count += is_there(c, axis, n % 6, n / 6);
+    }
+  }
+  return count;
+}
+
 static gen_line register_name(int axis, int v, int bank) {
   return gen_format(bank > 1    ? "%c_%s_hold%d"
                     : bank == 1 ? "%c_%s_hold"
@@ -82,6 +92,10 @@ static gen_line register_name(int axis, int v, int bank) {
 }
 
 static gen_line source_in(const coordinates *c, int axis, int v, int bank, int cycle) {
+  if (axis == U && bank == 0) {
+    return gen_format("(x_equal ? %s : %s)", source_in(c, Y, v, 0, cycle).text,
+                      source_in(c, X, v, 0, cycle).text);
+  }
   int turned = bank < c->axis[axis].rotated ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
   return register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank);
 }

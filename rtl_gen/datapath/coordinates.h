@@ -34,6 +34,9 @@ void coordinates_need(coordinates *c, int axis, int v, int cycle);
  * costs no bank more: then no reader of z_change ... z_change + II - 1 has two sources. */
 void coordinates_store(coordinates *c, int z_change);
 
+/* Registers, of the bits of a coordinate each. coordinates_store has been called. */
+int coordinates_count(const coordinates *c);
+
 /* The register in which vertex v stands in this cycle. */
 gen_line coordinates_source(const coordinates *c, int axis, int v, int cycle);
 

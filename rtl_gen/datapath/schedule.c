@@ -35,6 +35,14 @@ static int holds(const schedule *s, const schedule_producer *t, int slot, int li
   return beyond > 0 ? (beyond + s->ii - 1) / s->ii : 0;
 }
 
+int schedule_holds(const schedule *s, const schedule_producer *producer) {
+  int all = 0;
+  for (int k = 0; k < s->ii; k++) {
+    all += holds(s, producer, k, producer->line);
+  }
+  return all;
+}
+
 void schedule_store(schedule *s, const delay_model *m) {
   for (int i = 0; i < s->producers; i++) {
     schedule_producer *t = &s->producer[i];

@@ -53,6 +53,9 @@ void schedule_need(schedule *s, schedule_value v, int cycle);
 /* All needs are known: choose the storage. */
 void schedule_store(schedule *s, const delay_model *m);
 
+/* Holding registers of all slots of a producer. schedule_store has been called. */
+int schedule_holds(const schedule *s, const schedule_producer *producer);
+
 /* The register in which v stands in this cycle. */
 gen_line schedule_source(const schedule *s, schedule_value v, int cycle);
 

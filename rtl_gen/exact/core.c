@@ -50,13 +50,18 @@ static void set_buses(emit_holes *h, const char *name, const exact_plan *p, cons
  * comes, the others from live_q. */
 static void set_advances(emit_holes *h, const exact_plan *p) {
   const advance *a = &p->datapath.advance;
-  int last = 1;
+  bool shared = p->design->config.ii > 1;
+  bool chained = p->stages.chained != 0;
+  /* Chained units select their operands until the verdict, behind the last registers. */
+  int last = shared && chained && p->verdict_cycle > 1 ? p->verdict_cycle : 1;
+  bool read = shared;
   emit_text *out = emit_hole_open(h, "advances");
   for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
     if (a->used[cycle]) {
       text_printf(out, "  input  wire       advance_%d, // registers of cycle %d move\n", cycle,
                   cycle);
       last = cycle > last ? cycle : last;
+      read |= cycle > 0;
     }
   }
   out = emit_hole_open(h, "advance_ports");
@@ -68,6 +73,7 @@ static void set_advances(emit_holes *h, const exact_plan *p) {
   }
   emit_hole_close(h);
   emit_hole_set(h, "slot_rests", a->gated ? "; 0 without a pair" : "");
+  emit_hole_set(h, "live", a->gated && read ? "1" : "0");
   emit_hole_set(h, "live_msb", "%d", last - 1);
   emit_hole_set(h, "live_zero", "%d'd0", last);
   emit_hole_set(h, "live_next", last > 1 ? "{live_q[%d:0], first}" : "first", last - 2);

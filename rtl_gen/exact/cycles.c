@@ -4,7 +4,7 @@
 #include "datapath/binding.h"
 #include "exact.h"
 
-#include "util/error.h"
+#include <string.h>
 
 /* At II = 3 class 5 of orient2d (A_c and the edge c + 2 of B) begins with c = 1: then all can start
  * before the last trapezoid is there. orient3d over B does so, too. */
@@ -38,9 +38,11 @@ static void start_units(exact_plan *p) {
   int z_start = p->delay->family ? start - start % p->design->config.ii : start;
   times_start(d, k->zsum, z_start);
   if (!p->single) {
-    times_start(d, k->order_z, z_start + 1); /* of z sums in their registers */
+    times_start(d, k->order_z, z_start + exact_zsum_latency(p)); /* of z sums behind their units */
   }
-  times_start(d, k->own_zsum, own - (p->running ? 2 : p->stages.own_zsum));
+  /* A running sum takes three cycles; if it cannot begin so early, then the orient2d waits. */
+  int own_start = own + exact_zsum_latency(p) - exact_own_zsum_latency(p) - (p->running ? 2 : 0);
+  times_start(d, k->own_zsum, own_start > 0 ? own_start : 0);
   for (int kind = 0; kind < d->graph.kinds; kind++) {
     const graph_kind *prism = &d->graph.kind[k->prism];
     bool running = p->running && kind == k->running_sum; /* waits for the units of its own kind */
@@ -48,45 +50,24 @@ static void start_units(exact_plan *p) {
   }
 }
 
-/* What the graph or the schedule could not hold; NULL: nothing. */
-static const char *fault_of(const datapath *d) {
-  return d->graph.fault != NULL ? d->graph.fault : d->schedule.fault;
-}
-
-bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {
-  int ii = design->config.ii;
-  *p = (exact_plan){.design = design,
-                    .delay = delay_model_of(design->config.target),
-                    .limits = design->limits,
-                    .single = design->config.flag || design->limits > 0,
-                    .running = ii == 3};
-  p->own_running = p->running && p->delay->family;
-  exact_stages_make(p);
-  double shortest = p->stages.shortest * delay_corner(&design->config);
-  if (shortest * 1000 > design->config.clock_ps) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "clock-ns: %g is too short for W = %d; give %.2f or more",
-                      design->config.clock_ps / 1000.0, design->core_word, shortest + 0.005);
-  }
-  p->datapath.schedule.ii = ii;
+void exact_schedule(exact_plan *p) {
+  const sepax_config *config = &p->design->config;
+  memset(&p->graph, 0, sizeof p->graph);
+  memset(&p->datapath, 0, sizeof p->datapath);
+  p->datapath.schedule.ii = config->ii;
   p->datapath.chains = p->delay->family;
-  p->datapath.advance.gated = design->config.clock_gating;
+  p->datapath.advance.gated = config->clock_gating;
   p->datapath.coordinates =
-      (coordinates){.ii = ii, .rotate = ii % 3 == 0, .still = p->delay->family};
+      (coordinates){.ii = config->ii, .rotate = config->ii % 3 == 0, .still = p->delay->family};
   exact_graph_make(p);
   if (p->running) {
     rotate_classes(p);
   }
-  binding_make(&p->datapath.graph, ii);
+  binding_make(&p->datapath.graph, config->ii);
   start_units(p);
   exact_place_judges(p);
-  if (fault_of(&p->datapath) != NULL) {
-    return sepax_fail(error, SEPAX_ERROR_LIMIT, "the datapath of W = %d, II = %d has %s",
-                      design->config.word, ii, fault_of(&p->datapath));
-  }
   schedule_store(&p->datapath.schedule, p->delay);
   p->datapath.coordinates.second_pass = !p->single;
   p->datapath.coordinates.again = p->plane_cycle;
   coordinates_store(&p->datapath.coordinates, p->datapath.graph.kind[p->graph.kind.zsum].start[0]);
-  return true;
 }

@@ -9,6 +9,19 @@
 #include "emit/template.h"
 #include "sepax_design.h"
 
+/* Kinds of units that may have no register behind them: chained to the units that read them. Each
+ * is a bit of a set. */
+enum {
+  EXACT_CHAIN_T = 1, /* trapezoids */
+  EXACT_CHAIN_G = 2, /* orient2d and z sums */
+  EXACT_CHAIN_H = 4, /* prisms */
+  EXACT_CHAIN_D = 8, /* orient3d */
+  EXACT_CHAIN_ALL = 15
+};
+static inline bool exact_is_chained(unsigned chained, unsigned kinds) {
+  return (chained & kinds) == kinds;
+}
+
 /* Registers inside the units, and the longest stage that is left: stages.c. */
 typedef struct {
   arith_plan trapezoid, prism, own_prism;
@@ -21,6 +34,7 @@ typedef struct {
   bool own_zsum;           /* inside B's z sum */
   bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
   bool sign;         /* behind the sign of an orient2d */
+  unsigned chained;  /* kinds without a register behind them: a set of EXACT_CHAIN_ */
   bool most, total;  /* inside a limit: behind its first maximum, its products */
   double shortest;   /* the period in ns that the longest stage needs */
 } exact_stages;
@@ -64,6 +78,7 @@ typedef struct {
   exact_graph graph;
   datapath datapath;
   int plane_cycle;   /* signs of orient2d are judged; last cycle of an II window */
+  bool at_once;      /* the verdict is in the same cycle */
   int verdict_cycle; /* the pair is judged; counted from the first registers, as all cycles are */
 } exact_plan;
 
@@ -71,7 +86,36 @@ typedef struct {
  * a register. */
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error);
 
-void exact_stages_make(exact_plan *p);
+/* Place registers inside the units for this period in ns at the typical corner. */
+void exact_stages_make(exact_plan *p, double period);
+
+/* Cycles from the operands to the result. */
+int exact_trapezoid_latency(const exact_plan *p);
+int exact_orient2d_latency(const exact_plan *p);
+int exact_zsum_latency(const exact_plan *p);
+int exact_own_zsum_latency(const exact_plan *p);
+int exact_prism_latency(const exact_plan *p, const arith_plan *multiplier);
+int exact_orient3d_latency(const exact_plan *p);
+
+/* The longest chain, in ns, registers included, if these kinds of units have no register behind
+ * them: a set of EXACT_CHAIN_. It is an upper estimate. */
+double exact_chain_time(const exact_plan *p, unsigned chained);
+
+/* May these kinds be chained in this period in ns? Units with registers inside may not. */
+bool exact_may_chain(const exact_plan *p, unsigned chained, double period);
+
+/* What a plan costs, to compare it with others of its configuration: cycles, bits, thirds of a gate
+ * equivalent. What all of them have in common is left out. */
+typedef struct {
+  int latency, flip_flops, gates;
+} exact_counts;
+exact_counts exact_count(const exact_plan *p);
+
+/* Flip-flops of sepax_narrow and its reorder buffer. */
+int exact_control_count(const exact_plan *p);
+
+/* Schedule the stages of the plan. */
+void exact_schedule(exact_plan *p);
 
 /* latency.c: the cycles of both judges, and the latency that follows: from a pair taken to its
  * verdict, both counted; of sepax_narrow, and of sepax_top. */

@@ -160,9 +160,8 @@ void exact_graph_projection(exact_plan *p, int projection) {
   int *orient2d_kind = &e->kind.orient2d[projection];
   int *own_kind = &e->kind.own_orient2d[projection];
   e->kind.trapezoid[projection] =
-      graph_kind_add(e->graph, &trapezoid, n->suffix,
-                     1 + p->stages.trapezoid_sums + p->stages.trapezoid.latency, n->slots_t);
-  int latency = 1 + p->stages.fetch_2d;
+      graph_kind_add(e->graph, &trapezoid, n->suffix, exact_trapezoid_latency(p), n->slots_t);
+  int latency = exact_orient2d_latency(p);
   const char *slots_g = projection == 0 && p->stages.slot_copies ? "g" : n->slots_g;
   *orient2d_kind = graph_kind_add(e->graph, &orient2d, n->suffix, latency, slots_g);
   *own_kind = graph_kind_add(e->graph, p->own_running ? &own_orient2d_running : &own_orient2d,
@@ -190,14 +189,14 @@ static graph_value make_own_zsum(exact_plan *p) {
   const graph_value *z = e->coordinate[2];
   int *kind = &e->kind.own_zsum;
   if (p->stages.zdiff_shared) {
-    *kind = add_kind(e, &own_zsum_of_three, 1);
+    *kind = add_kind(e, &own_zsum_of_three, exact_own_zsum_latency(p));
     return exact_add(e, *kind, own_b, GRAPH_IN(e->zdiff[0][3], e->zdiff[1][4], e->zdiff[2][5]), 0);
   }
   if (!p->running) {
-    *kind = add_kind(e, &own_zsum, 1 + p->stages.own_zsum);
+    *kind = add_kind(e, &own_zsum, exact_own_zsum_latency(p));
     return exact_add(e, *kind, own_b, GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
   }
-  *kind = add_kind(e, &own_zsum_running, 1);
+  *kind = add_kind(e, &own_zsum_running, exact_own_zsum_latency(p));
   graph_value sum = graph_constant(e->graph, "OWN_BIAS", "O_W");
   for (int k = 0; k < 3; k++) { /* one vertex of each triangle a cycle */
     sum = graph_add(e->graph, *kind, GRAPH_OF(exact_b(k)),
@@ -213,19 +212,20 @@ static void make_prisms(exact_plan *p) {
   if (s->zdiff_shared) {
     e->kind.zdiff = add_kind(e, &zdiff, 0);
   }
-  e->kind.zsum = graph_kind_add(e->graph, s->zdiff_shared ? &zsum_of_two : &zsum, "", 1,
-                                s->slot_copies ? "z" : NULL);
+  e->kind.zsum = graph_kind_add(e->graph, s->zdiff_shared ? &zsum_of_two : &zsum, "",
+                                exact_zsum_latency(p), s->slot_copies ? "z" : NULL);
   for (int n = 0; n < 18; n++) {
     z[n] = make_zsum(p, exact_triangle_of(n));
   }
   graph_value own = make_own_zsum(p);
-  e->kind.prism = add_kind(e, &prism, 1 + s->prism.latency);
-  int of_two =
-      s->zdiff_shared ? add_kind(e, &prism_of_two, 1 + s->prism_of_two.latency) : e->kind.prism;
+  e->kind.prism = add_kind(e, &prism, exact_prism_latency(p, &s->prism));
+  int of_two = s->zdiff_shared
+                   ? add_kind(e, &prism_of_two, exact_prism_latency(p, &s->prism_of_two))
+                   : e->kind.prism;
   for (int n = 0; n < 18; n++) {
     make_prism(e, n < 9 ? e->kind.prism : of_two, exact_triangle_of(n), z[n]);
   }
-  int kind = add_kind(e, &own_prism, 1 + s->own_prism.latency);
+  int kind = add_kind(e, &own_prism, exact_prism_latency(p, &s->own_prism));
   make_prism(e, kind, own_b, own);
 }
 
@@ -262,7 +262,7 @@ static int add_orient3d(exact_plan *p, graph_row row) {
     row.width = "V_W";
     row.is_signed = true;
   }
-  return add_kind(&p->graph, &row, p->stages.orient3d_latency);
+  return add_kind(&p->graph, &row, exact_orient3d_latency(p));
 }
 
 /* orient3d(i, j, k, l) = h_jkl - h_ikl + h_ijl - h_ijk; A's own h is zero. Operands by class, so
@@ -305,7 +305,7 @@ static void make_orient3d(exact_plan *p) {
 static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
   graph *g = e->graph;
-  int in_x = add_kind(e, &order_x, 1);
+  int in_x = add_kind(e, &order_x, exact_is_chained(p->stages.chained, EXACT_CHAIN_T) ? 0 : 1);
   int in_z = e->kind.order_z = add_kind(e, p->delay->family ? &sign_z : &order_z, 0);
   int of_both = add_kind(e, &sign, 0);
   int of_one = add_kind(e, &own_sign, 0);

@@ -33,6 +33,33 @@ static void need_all(exact_plan *p, const exact_bus *bus, int cycle) {
 
 int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - p->delay->family; }
 
+int exact_trapezoid_latency(const exact_plan *p) {
+  const exact_stages *s = &p->stages;
+  return exact_is_chained(s->chained, EXACT_CHAIN_T) ? 0
+                                                     : 1 + s->trapezoid_sums + s->trapezoid.latency;
+}
+
+int exact_orient2d_latency(const exact_plan *p) {
+  return exact_is_chained(p->stages.chained, EXACT_CHAIN_G) ? 0 : 1 + p->stages.fetch_2d;
+}
+
+int exact_zsum_latency(const exact_plan *p) {
+  return exact_is_chained(p->stages.chained, EXACT_CHAIN_G) ? 0 : 1;
+}
+
+/* A running sum feeds itself, so that it has its register. */
+int exact_own_zsum_latency(const exact_plan *p) {
+  return p->running ? 1 : exact_zsum_latency(p) + p->stages.own_zsum;
+}
+
+int exact_prism_latency(const exact_plan *p, const arith_plan *multiplier) {
+  return exact_is_chained(p->stages.chained, EXACT_CHAIN_H) ? 0 : 1 + multiplier->latency;
+}
+
+int exact_orient3d_latency(const exact_plan *p) {
+  return exact_is_chained(p->stages.chained, EXACT_CHAIN_D) ? 0 : p->stages.orient3d_latency;
+}
+
 /* The pair as if coplanar is judged in the last cycle of an II window, so that a second pass takes
  * the next one; the verdict when all is there. */
 void exact_place_judges(exact_plan *p) {
@@ -45,8 +72,12 @@ void exact_place_judges(exact_plan *p) {
     p->plane_cycle = windows * ii - 1;
     need_all(p, p->graph.projection, exact_projection_cycle(p));
   }
+  /* The period of chained units has time for both. */
+  bool at_once = !p->single && p->stages.chained != 0;
+  int soonest = at_once ? p->plane_cycle : windows * ii;
   int defined = latest_defined(p, p->graph.verdict);
-  p->verdict_cycle = defined > windows * ii ? defined : windows * ii;
+  p->verdict_cycle = defined > soonest ? defined : soonest;
+  p->at_once = at_once && p->verdict_cycle == p->plane_cycle;
   need_all(p, p->graph.verdict, p->verdict_cycle);
 }
 

@@ -42,11 +42,14 @@ module sepax_narrow (
   //@ if passes
   reg  [LAST:0]           second_q;   // this is its second pass
   reg  [JUDGED-1:0]       disjoint_q; // its projections were disjoint in the first
+  //@ if !at_once
   reg  [LAST-JUDGED:0]    in_plane_q; // from window JUDGED on: it is separated if coplanar
+  //@ end
   reg  [JUDGED-1:0]       decided_q;  // the AABB test has decided it //@ aabb_test
   wire                    flat, separated, disjoint_x, disjoint_z;
   wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@;
   wire disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
+  wire in_plane = flat ? disjoint : separated; // it is separated if coplanar //@ at_once
   //@ end
   reg  [II-1:0]           slot_q; // cycle of the II window, one-hot; rests at its end //@ shared
   wire last_slot = slot_q[II-1]; //@ shared
@@ -55,8 +58,10 @@ module sepax_narrow (
   wire enter = take; //@ !passes
 
   //@ if gated
+  //@ if live
   // Bit t: a pair that the core works for is in its cycle t, or was in one of the II - 1 before.
   reg  [@live_msb@:0]     live_q;
+  //@ end
   // With in_ready or again it enters.
   wire comes = (in_valid && !@decided@)@or_again@; //@ aabb_test
   wire comes = in_valid@or_again@; //@ !aabb_test
@@ -68,7 +73,7 @@ module sepax_narrow (
   wire first = last_slot ? (comes && enter) : live_q[0];
   //@ else
   wire load = comes;
-  wire first = comes && enter;
+  wire first = comes && enter; //@ live
   //@ end
   //@ end
   assign in_ready = @at_last_slot@free@unless_again@;
@@ -93,7 +98,7 @@ module sepax_narrow (
         for (k = 1; k <= LAST; k = k + 1) begin
           valid_q[k] <= valid_q[k-1];
         end
-        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again; //@ passes
+        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again; //@ judged_before
       end
     end
     if (@window_ends@) begin
@@ -111,15 +116,17 @@ module sepax_narrow (
         disjoint_q[k] <= disjoint_q[k-1];
         decided_q[k] <= decided_q[k-1]; //@ aabb_test
       end
+      //@ if !at_once
       in_plane_q[0] <= flat ? disjoint : separated;
       for (k = 1; k <= LAST - JUDGED; k = k + 1) begin
         in_plane_q[k] <= in_plane_q[k-1];
       end
       //@ end
+      //@ end
     end
   end
 
-//@ if gated
+//@ if live
   always @(posedge clk) begin
     if (rst) begin
       live_q <= @live_zero@;
@@ -151,7 +158,7 @@ module sepax_narrow (
     .band(band),
     //@ else
     .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x), //@ passes
-    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(in_plane_q[LAST-JUDGED]), //@ passes
+    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(@in_plane@), //@ passes
     .in_plane(1'b0), //@ !passes
     //@ end
     .coplanar(coplanar), .axis(axis)
@@ -160,7 +167,7 @@ module sepax_narrow (
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
     .note(@note_in@), .oldest_note(out_note), //@ aabb_test
-    .write(valid_q[LAST]@at_verdict_slot@), .tag(tag_q[LAST*TAG +: TAG]),
+    .write(valid_q[LAST]@at_verdict_slot@@unless_repeated@), .tag(tag_q[LAST*TAG +: TAG]),
     .result({band, coplanar, axis}), //@ limits
     .result({coplanar, axis}), //@ !limits
     .valid(out_valid), .ready(out_ready), .oldest(oldest)

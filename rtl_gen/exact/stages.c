@@ -151,11 +151,10 @@ static double shortest_stage(const exact_plan *p, double sums, double sum) {
   return delay_register(p->delay) + longest;
 }
 
-void exact_stages_make(exact_plan *p) {
+void exact_stages_make(exact_plan *p, double period) {
   const sepax_format *f = p->design->exact_format;
   exact_stages *s = &p->stages;
   bool shared_units = p->design->config.ii > 1;
-  double period = p->design->config.clock_ps / 1000.0 / delay_corner(&p->design->config);
   double available = period - delay_register(p->delay);
   int orient3d = f[SEPAX_X_ORIENT3D].width;
   int own_zsum = f[SEPAX_X_OWN_Z_SUM].width;

@@ -19,6 +19,21 @@ static int entries_log2(const exact_plan *p) {
   return log2;
 }
 
+int exact_control_count(const exact_plan *p) {
+  const sepax_config *c = &p->design->config;
+  int windows = p->verdict_cycle / c->ii + 1;
+  int judged = (p->plane_cycle + 1) / c->ii;
+  int tag = entries_log2(p);
+  int result = p->limits > 0 ? 7 : 5;
+  int narrow = windows * (1 + tag);
+  if (!p->single) {
+    narrow += windows + (aabb_latency(p->design) > 0 ? 2 : 1) * judged;
+    narrow += p->at_once ? 0 : windows - judged;
+  }
+  narrow += c->clock_gating ? p->verdict_cycle : 0;
+  return narrow + 2 * tag + 1 + (1 << tag) * (2 + result);
+}
+
 /* What sepax_narrow and sepax_top ask for: the pair and its verdict. */
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
@@ -49,6 +64,8 @@ static void set_control(emit_holes *h, const exact_plan *p) {
                                        {"fpga_engine", engine_hurries_core(c)},
                                        {"last_window", p->verdict_cycle / c->ii},
                                        {"judged", (p->plane_cycle + 1) / c->ii},
+                                       {"at_once", p->at_once},
+                                       {"judged_before", !p->single && !p->at_once},
                                        {"tag", entries_log2(p)},
                                        {"result", p->limits > 0 ? 7 : 5},
                                        {NULL, 0}});
@@ -56,6 +73,8 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
   const gen_line slot = gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii);
   emit_hole_set(h, "at_verdict_slot", "%s", shared ? slot.text : "");
+  emit_hole_set(h, "in_plane", p->at_once ? "in_plane" : "in_plane_q[LAST-JUDGED]");
+  emit_hole_set(h, "unless_repeated", p->at_once ? " && !again" : "");
   emit_hole_set(h, "or_again", p->single ? "" : " || again");
   emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
 }

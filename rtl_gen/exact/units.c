@@ -3,6 +3,28 @@
 #include "clearance.h"
 #include "exact.h"
 
+/* Which results are wires, since no register follows their units. */
+static void set_chained(emit_holes *h, const exact_plan *p) {
+  const exact_stages *s = &p->stages;
+  unsigned chained = s->chained;
+  bool own_wire = exact_is_chained(chained, EXACT_CHAIN_G) && !p->running;
+  emit_hole_numbers(
+      h, (emit_number[]){{"chained_t", exact_is_chained(chained, EXACT_CHAIN_T)},
+                         {"chained_g", exact_is_chained(chained, EXACT_CHAIN_G)},
+                         {"chained_h", exact_is_chained(chained, EXACT_CHAIN_H)},
+                         {"chained_d", exact_is_chained(chained, EXACT_CHAIN_D)},
+                         {"diff_wire", s->zdiff_shared || exact_is_chained(chained, EXACT_CHAIN_G)},
+                         {"own_wire", own_wire},
+                         {NULL, 0}});
+  emit_hole_set(h, "net_g", exact_is_chained(chained, EXACT_CHAIN_G) ? "wire" : "reg ");
+  emit_hole_set(h, "net_h", exact_is_chained(chained, EXACT_CHAIN_H) ? "wire" : "reg ");
+  emit_hole_set(h, "net_d", exact_is_chained(chained, EXACT_CHAIN_D) ? "wire" : "reg ");
+  emit_hole_set(h, "net_own", own_wire ? "wire" : "reg ");
+  emit_hole_set(h, "zsum_latency",
+                exact_is_chained(chained, EXACT_CHAIN_G) ? "Combinational." : "Latency 1.");
+  emit_hole_set(h, "own_latency", own_wire ? "Combinational." : "Latency %d.", 1 + s->own_zsum);
+}
+
 /* What several modules ask for. Those that ask for more set it before them. */
 static void set_shared(emit_holes *h, const exact_plan *p) {
   const sepax_format *f = p->design->exact_format;
@@ -34,6 +56,7 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"axis_plane", SEPAX_AXIS_PLANE},
                                        {"axis_aabb", SEPAX_AXIS_AABB},
                                        {NULL, 0}});
+  set_chained(h, p);
   emit_hole_set(h, "plus_bias", p->delay->family ? "" : " + BIAS");
   emit_hole_set(h, "so_far", p->delay->family ? "0" : "BIAS");
 }
@@ -51,14 +74,16 @@ static void set_product(emit_holes *h, const char *name, const arith_plan *multi
 }
 
 static void gen_trapezoid(emitter *e, const exact_plan *p, emit_holes *h, bool order) {
+  int registers = exact_is_chained(p->stages.chained, EXACT_CHAIN_T) ? 0 : 1;
   set_product(h, order ? "sepax_trapezoid_ab" : "sepax_trapezoid", &p->stages.trapezoid,
-              1 + p->stages.trapezoid_sums);
+              registers + p->stages.trapezoid_sums);
   emit_hole_set(h, "order", "%d", order);
   emit_template(e, "sepax_trapezoid", h->hole);
 }
 
-static void gen_prism(emitter *e, emit_holes *h, const char *name, const arith_plan *multiplier) {
-  set_product(h, name, multiplier, 1);
+static void gen_prism(emitter *e, const exact_plan *p, emit_holes *h, const char *name,
+                      const arith_plan *multiplier) {
+  set_product(h, name, multiplier, exact_is_chained(p->stages.chained, EXACT_CHAIN_H) ? 0 : 1);
   emit_hole_set(h, "z_w", "%d", multiplier->b_w);
   emit_template(e, "sepax_prism", h->hole);
 }
@@ -97,7 +122,7 @@ static void gen_orient2d(emitter *e, const exact_plan *p, emit_holes *h, bool ow
   emit_hole_set(h, "name", own ? "sepax_own_orient2d" : "sepax_orient2d");
   emit_hole_set(h, "plus_r", own ? "+" : "-");
   emit_hole_set(h, "own", "%d", own);
-  emit_hole_set(h, "clocks_2d", "%d", 1 + p->stages.fetch_2d);
+  emit_hole_set(h, "clocks_2d", "%d", exact_orient2d_latency(p));
   emit_hole_set(h, "orient2d_sum", "%s",
                 of_operands(own ? "p + q + r" : "p + q - r", p->stages.fetch_2d).text);
   emit_template(e, "sepax_orient2d", h->hole);
@@ -118,7 +143,7 @@ static void gen_orient3d(emitter *e, const exact_plan *p, emit_holes *h) {
   bool chain = p->delay->family;
   emit_hole_set(h, "what", p->limits > 0 ? "orient3d" : "Sign of the orient3d");
   emit_hole_set(h, "sum", registers > 1 ? "sum_q + carry_q" : "sum + carry");
-  emit_hole_numbers(h, (emit_number[]){{"latency", p->stages.orient3d_latency},
+  emit_hole_numbers(h, (emit_number[]){{"latency", exact_orient3d_latency(p)},
                                        {"rows", registers > 1},
                                        {"registered", registers > 0 || p->limits > 0},
                                        {NULL, 0}});
@@ -174,7 +199,6 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   }
   gen_orient2d(e, p, h, false);
   gen_orient2d(e, p, h, true);
-  emit_hole_set(h, "latency", "%d", 1 + s->own_zsum);
   emit_hole_set(h, "sum",
                 !p->delay->family ? s->own_zsum ? "sum_q + carry_q" : "sum + carry"
                 : s->own_zsum     ? "b_q - a_q"
@@ -187,11 +211,11 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   if (s->slot_copies && p->limits == 0) { /* with a clearance it is there anyway */
     emit_template(e, "sepax_slot_copy", h->hole);
   }
-  gen_prism(e, h, "sepax_prism", &s->prism);
+  gen_prism(e, p, h, "sepax_prism", &s->prism);
   if (s->zdiff_shared) {
-    gen_prism(e, h, "sepax_prism_2", &s->prism_of_two);
+    gen_prism(e, p, h, "sepax_prism_2", &s->prism_of_two);
   }
-  gen_prism(e, h, "sepax_own_prism", &s->own_prism);
+  gen_prism(e, p, h, "sepax_own_prism", &s->own_prism);
   gen_orient3d(e, p, h);
   if (p->limits > 0) {
     gen_clearance_units(e, p, h);

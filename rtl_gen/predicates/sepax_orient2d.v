@@ -5,12 +5,14 @@
 module @name@ #(
   parameter G_W = @g_w@ // bits of an orient2d
 ) (
+//@ if !chained_g
   input  wire                  clk, // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
   input  wire signed [G_W-1:0] p,   // trapezoid term
   input  wire signed [G_W-1:0] q,   // trapezoid term
   input  wire signed [G_W-1:0] r,   // trapezoid term
-  output reg  signed [G_W-1:0] g    // twice the area
+  output @net_g@ signed [G_W-1:0] g    // twice the area
 );
   reg signed [G_W-1:0] p_q, q_q, r_q; //@ fetch_2d
 //@ if !chain
@@ -22,6 +24,9 @@ module @name@ #(
   );
 
 //@ end
+//@ if chained_g
+  assign g = sum + carry;
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     g <= sum + carry; //@ !chain
@@ -32,4 +37,5 @@ module @name@ #(
 //@ end
     g <= @orient2d_sum@; //@ chain
   end
+//@ end
 endmodule

@@ -5,14 +5,16 @@
 module @name@ #(
   parameter V_W = @v_w@ // bits of an orient3d
 ) (
+//@ if !chained_d
   input  wire                  clk,    // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
   input  wire signed [V_W-1:0] p,      // signed prism volume
   input  wire signed [V_W-1:0] q,      // signed prism volume
   input  wire signed [V_W-1:0] r,      // signed prism volume
   input  wire signed [V_W-1:0] s,      // signed prism volume //@ four
   output reg  signed [V_W-1:0] volume  // orient3d //@ whole
-  output reg         [1:0]     sign    // {volume > 0, volume < 0} //@ !whole
+  output @net_d@        [1:0]     sign    // {volume > 0, volume < 0} //@ !whole
 );
   wire [V_W-1:0] three_sum, three_carry; //@ four
   wire [V_W-1:0] sum, carry;
@@ -35,6 +37,9 @@ module @name@ #(
   wire [V_W-1:0] volume = @sum@; //@ !registered
 //@ end
 
+//@ if chained_d
+  assign sign = {!volume[V_W-1] && (volume != {V_W{1'b0}}), volume[V_W-1]};
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     sum_q <= sum; //@ rows
@@ -42,4 +47,5 @@ module @name@ #(
     volume <= @sum@; //@ registered
     sign <= {!volume[V_W-1] && (volume != {V_W{1'b0}}), volume[V_W-1]}; //@ !whole
   end
+//@ end
 endmodule

@@ -6,8 +6,10 @@
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z.
 //@ end
 // One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running
-// Made of three z differences, which have brought a DIFF_BIAS of theirs each. Latency 1. //@ shared
-// Latency @latency@. //@ six
+//@ if shared
+// Made of three z differences, which have brought a DIFF_BIAS of theirs each. @own_latency@
+//@ end
+// @own_latency@ //@ six
 module sepax_own_zsum #(
   parameter Z_W = @z_w@, // bits of a z difference //@ shared
   parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference //@ shared
@@ -17,8 +19,10 @@ module sepax_own_zsum #(
 //@ end
   parameter O_W = @o_w@ // bits of the z sum
 ) (
+//@ if !own_wire
   input  wire                  clk,    // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
 //@ if running
   input  wire signed [O_W-1:0] so_far, // @so_far@, or the sum that has no third vertices yet
   input  wire signed [W-1:0]   z_a,    // coordinate
@@ -37,7 +41,7 @@ module sepax_own_zsum #(
   input  wire signed [W-1:0]   z_b2,   // coordinate
   input  wire signed [W-1:0]   z_b3,   // coordinate
 //@ end
-  output reg  signed [O_W-1:0] z       // z sum@plus_bias@
+  output @net_own@ signed [O_W-1:0] z       // z sum@plus_bias@
 );
 //@ if biased
 //@ if !running
@@ -87,6 +91,10 @@ module sepax_own_zsum #(
   );
 //@ end
 
+//@ if own_wire
+  assign z = sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS)); //@ shared
+  assign z = sum + carry + BIAS; //@ six
+//@ else
   reg [O_W-1:0] sum_q, carry_q; //@ registered
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
@@ -96,6 +104,7 @@ module sepax_own_zsum #(
     z <= sum + carry + (BIAS - (DIFF_BIAS + DIFF_BIAS + DIFF_BIAS)); //@ shared
     z <= @sum@ + BIAS; //@ six
   end
+//@ end
 //@ else
   reg [O_W-1:0] b_q, a_q; //@ registered
 

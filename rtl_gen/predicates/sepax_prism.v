@@ -13,11 +13,13 @@ module @name@ #(
   parameter Z_W = @z_w@, // bits of a z sum
   parameter V_W = @v_w@  // bits of an orient3d
 ) (
+//@ if !chained_h
   input  wire                  clk, // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
   input  wire signed [G_W-1:0] g,   // orient2d
   input  wire signed [Z_W-1:0] z,   // z sum@plus_bias@
-  output reg  signed [V_W-1:0] h    // signed prism volume
+  output @net_h@ signed [V_W-1:0] h    // signed prism volume
 );
   wire signed [V_W-1:0] product;
 
@@ -26,8 +28,12 @@ module @name@ #(
     .a(g), .b(z), .p(product)
   );
 
+//@ if chained_h
+  assign h = product;
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     h <= product;
   end
+//@ end
 endmodule

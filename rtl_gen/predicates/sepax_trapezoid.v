@@ -13,14 +13,21 @@ module @name@ #(
   parameter S_W = @s_w@, // bits of a sum or difference, W + 1
   parameter G_W = @g_w@  // bits of t
 ) (
+//@ if !chained_t
   input  wire                  clk,    // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
   input  wire signed [W-1:0]   x_from, // coordinate
   input  wire signed [W-1:0]   x_to,   // coordinate
   input  wire signed [W-1:0]   y_from, // coordinate
   input  wire signed [W-1:0]   y_to,   // coordinate
+//@ if chained_t
+  output wire        [1:0]     order,  // {x_to > x_from, x_to < x_from} //@ order
+  output wire signed [G_W-1:0] t       // trapezoid term
+//@ else
   output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later //@ order
   output reg  signed [G_W-1:0] t       // trapezoid term
+//@ end
 );
   wire signed [S_W-1:0] run = {x_to[W-1], x_to} - {x_from[W-1], x_from};
   wire signed [S_W-1:0] height = {y_to[W-1], y_to} + {y_from[W-1], y_from};
@@ -33,6 +40,10 @@ module @name@ #(
     .a(run), .b(height), .p(product) //@ !sums
   );
 
+//@ if chained_t
+  assign t = product;
+  assign order = {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]}; //@ order
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     run_q <= run; //@ sums
@@ -40,4 +51,5 @@ module @name@ #(
     t <= product;
     order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]}; //@ order
   end
+//@ end
 endmodule

@@ -6,22 +6,22 @@
 //@ else
 //   z = z_p - z_r.
 //@ end
-// Combinational. //@ shared
-// Latency 1. //@ !shared
+// Combinational. //@ diff_wire
+// Latency 1. //@ !diff_wire
 module sepax_zdiff #(
   parameter W = @w@,          // bits of a coordinate
   parameter Z_W = @z_w@,      // bits of a z sum //@ biased
   parameter DIGITS = @digits@ // radix-4 digits of a z sum //@ biased
   parameter Z_W = @z_w@       // bits of a z sum //@ !biased
 ) (
-//@ if !shared
+//@ if !diff_wire
   input  wire                  clk, // clock
   input  wire                  advance, // registers move //@ gated
 //@ end
   input  wire signed [W-1:0]   z_p, // coordinate
   input  wire signed [W-1:0]   z_r, // coordinate
-  output wire signed [Z_W-1:0] z    // difference@plus_bias@ //@ shared
-  output reg  signed [Z_W-1:0] z    // difference@plus_bias@ //@ !shared
+  output wire signed [Z_W-1:0] z    // difference@plus_bias@ //@ diff_wire
+  output reg  signed [Z_W-1:0] z    // difference@plus_bias@ //@ !diff_wire
 );
 //@ if biased
   // 1 for each digit but the highest.
@@ -31,7 +31,7 @@ module sepax_zdiff #(
   wire signed [Z_W-1:0] wide_p = {{(Z_W-W){z_p[W-1]}}, z_p};
   wire signed [Z_W-1:0] wide_r = {{(Z_W-W){z_r[W-1]}}, z_r};
 
-//@ if shared
+//@ if diff_wire
   assign z = wide_p - wide_r@plus_bias@;
 //@ else
   always @(posedge clk) begin //@ !gated

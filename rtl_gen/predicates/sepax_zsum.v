@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // z sum of a vertex of A and an edge of B: the origin of z is the mean of A's z, so that all terms
 // cancel but z_p and z_q of that edge, z_r and z_s of A's other two vertices:
-//   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. Latency 1. //@ shared
+//   z = z_p + z_q - z_r - z_s + 2 BIAS, as a sum of two z differences. @zsum_latency@ //@ shared
 //@ if !shared
 //@ if biased
 //   z = z_p + z_q - z_r - z_s + BIAS, BIAS = 1 + 4 + 16 ..., which the recoded
-// multiplier of the prism deducts. Latency 1.
+// multiplier of the prism deducts. @zsum_latency@
 //@ else
-//   z = z_p + z_q - z_r - z_s. Latency 1.
+//   z = z_p + z_q - z_r - z_s. @zsum_latency@
 //@ end
 //@ end
 module sepax_zsum #(
@@ -17,23 +17,29 @@ module sepax_zsum #(
 //@ end
   parameter Z_W = @z_w@ // bits of a z sum
 ) (
+//@ if !chained_g
   input  wire                  clk,    // clock
   input  wire                  advance, // registers move //@ gated
+//@ end
 //@ if shared
   input  wire signed [Z_W-1:0] diff_1, // z difference + BIAS
   input  wire signed [Z_W-1:0] diff_2, // z difference + BIAS
-  output reg  signed [Z_W-1:0] z       // z sum + 2 BIAS
+  output @net_g@ signed [Z_W-1:0] z       // z sum + 2 BIAS
 );
+//@ if chained_g
+  assign z = diff_1 + diff_2;
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     z <= diff_1 + diff_2;
   end
+//@ end
 //@ else
   input  wire signed [W-1:0]   z_p,    // coordinate
   input  wire signed [W-1:0]   z_q,    // coordinate
   input  wire signed [W-1:0]   z_r,    // coordinate
   input  wire signed [W-1:0]   z_s,    // coordinate
-  output reg  signed [Z_W-1:0] z       // z sum@plus_bias@
+  output @net_g@ signed [Z_W-1:0] z       // z sum@plus_bias@
 );
 //@ if biased
   // 1 for each digit but the highest.
@@ -55,10 +61,14 @@ module sepax_zsum #(
   );
 
 //@ end
+//@ if chained_g
+  assign z = sum + carry + BIAS;
+//@ else
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
     z <= sum + carry + BIAS; //@ biased
     z <= (wide(z_p) - wide(z_r)) + (wide(z_q) - wide(z_s)); //@ !biased
   end
+//@ end
 //@ end
 endmodule

@@ -53,7 +53,7 @@ CASE(test_refused) {
       {"--arch=conference --extent-a=5", "--arch=exact"},
       {"--arch=conference --precision=full --block-float=on", "--precision=word"},
       {"--arch=exact --ii=19", "1 ... 18"},
-      {"--arch=exact --clock-ns=0.4", "0.5 ... 20"},
+      {"--arch=exact --clock-ns=0.4", "0.5 ... 1000"},
       {"--arch=exact --clock-ns=1.2345", "three decimals"},
       {"--clearance=131072", "0 ... 131071"},
       {"--clearance=-2", "out of range"},
