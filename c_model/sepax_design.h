@@ -205,6 +205,8 @@ typedef struct {
                              units of SEPAX_F_NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; for exact 0, because
                              only the generator's schedule decides it */
+  bool ripple;            /* for exact set by the generator: the clock has time for adders that are
+                             chains of full adders */
   int limits;             /* number of clearances: 0, 1 (clearance) or 2 (and warning) */
   int64_t margin[2];      /* gaps of AABBs in LSB, 0 without clearances. If the gap is above
                              margin[0] = 1 + clearance, then the pair is not in band COLLISION. If

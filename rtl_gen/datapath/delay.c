@@ -27,6 +27,7 @@ static const delay_model nangate45 = {
     .sums = {0.125, 0.022, 19},
     .orient2d_sign = 1.0,
     .decide = 0.45,
+    .ripple = 0.085,
     .overlap = 0.18,
     .aabb = 0.71,
     .engine = 1.1,

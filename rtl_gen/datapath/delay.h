@@ -32,6 +32,7 @@ typedef struct {
   double sums[3];       /* of a trapezoid's sums over its rows: a + b (width - c), at least 0 */
   double orient2d_sign; /* of a zero test of an orient2d, and what its sign steers */
   double decide;        /* of the verdict, from the signs of orient3d */
+  double ripple;        /* of a bit of an addition that is a chain of full adders */
   double overlap;       /* of two units in a chain: the second begins with the low bits */
   double aabb;          /* of the AABB test: bounds, comparison, isolation of the coordinates */
   double engine;        /* of the object engine: a queue read, what is counted and compared of it */

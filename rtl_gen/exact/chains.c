@@ -2,6 +2,7 @@
 /* chains.c - which kinds of units need no register behind them. A unit without one is chained to
  * the units that read it: they settle in the same cycle. The delay model adds up what a chain
  * passes, less what units of it do at the same time. */
+#include "engine/engine.h"
 #include "exact.h"
 
 #include <math.h>
@@ -90,6 +91,23 @@ double exact_chain_time(const exact_plan *p, unsigned chained) {
     limit(&c, g);
   }
   return c.stage;
+}
+
+/* Carries run through a chain of units from the low bits to the high ones, all at the same pace, so
+ * that a chain waits for them only once, in the widest addition. That is an upper estimate: the
+ * fast additions in front of it count in full. The AABB test has three comparisons, one after the
+ * other. */
+double exact_ripple_time(const exact_plan *p) {
+  const delay_model *m = p->delay;
+  int widest = p->design->exact_format[SEPAX_X_ORIENT3D].width;
+  if (p->limits > 0 || engine_generator_of(&p->design->config)->generate != NULL) {
+    return INFINITY;
+  }
+  double test = p->design->aabb_test
+                    ? m->reg + m->aabb + 3 * (m->adder[0] + m->ripple * p->design->config.word)
+                    : 0;
+  return fmax(test, exact_chain_time(p, EXACT_CHAIN_ALL) - delay_adder(m, widest) + m->adder[0] +
+                        m->ripple * widest);
 }
 
 /* Have units of these kinds no register inside? */

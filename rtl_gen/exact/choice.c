@@ -126,6 +126,7 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
                       config->clock_ps / 1000.0, design->core_word, shortest + 0.005);
   }
   p->stages.chained = choose(p, period);
+  p->ripple = p->stages.chained == EXACT_CHAIN_ALL && exact_ripple_time(p) <= period;
   exact_schedule(p);
   if (fault_of(&p->datapath) != NULL) {
     return sepax_fail(error, SEPAX_ERROR_LIMIT, "the datapath of W = %d, II = %d has %s",

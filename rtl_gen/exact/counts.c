@@ -75,6 +75,16 @@ static int adders_in(const exact_plan *p, const graph_kind *k) {
                                             : 0;
 }
 
+/* Bits of the additions of a unit. */
+static int additions_in(const exact_plan *p, const graph_kind *k) {
+  const arith_plan *multiplier = multiplier_of(p, k);
+  int span = p->design->exact_format[SEPAX_X_SPAN].width;
+  bool orient3d = strchr("swd", k->row.symbol[0]) != NULL && k->row.symbol[1] == '\0';
+  return k->row.module == NULL ? 0
+         : orient3d            ? p->design->exact_format[SEPAX_X_ORIENT3D].width
+                    : bits_of(p, k) + (multiplier == &p->stages.trapezoid ? 2 * span : 0);
+}
+
 /* Inputs of multiplexers in front of a unit beyond the first, times their bits. */
 static int multiplexers_of(const exact_plan *p, const graph_kind *k, int unit) {
   const datapath *d = &p->datapath;
@@ -103,8 +113,9 @@ static int multiplexers_of(const exact_plan *p, const graph_kind *k, int unit) {
   return bits;
 }
 
-/* Thirds of a gate equivalent, by Nangate45: a full adder, an input of a multiplexer. */
-enum { FULL_ADDER = 16, MULTIPLEXER = 5 };
+/* Thirds of a gate equivalent, by Nangate45: a full adder, a bit of a fast addition, an input of a
+ * multiplexer. */
+enum { FULL_ADDER = 16, FAST_ADDER = 22, MULTIPLEXER = 5 };
 
 exact_counts exact_count(const exact_plan *p) {
   const datapath *d = &p->datapath;
@@ -114,7 +125,10 @@ exact_counts exact_count(const exact_plan *p) {
     for (int unit = 0; unit < k->units; unit++) {
       if (k->count[unit] > 0) {
         plain += registers_in(p, k);
-        c.gates += p->delay->family ? 0 : FULL_ADDER * adders_in(p, k);
+        c.gates += p->delay->family
+                       ? 0
+                       : FULL_ADDER * adders_in(p, k) +
+                             (p->ripple ? FULL_ADDER : FAST_ADDER) * additions_in(p, k);
         c.gates +=
             d->schedule.ii > 1 && !p->delay->family ? MULTIPLEXER * multiplexers_of(p, k, unit) : 0;
         const schedule_producer *t = &d->schedule.producer[k->producer[unit]];

@@ -78,6 +78,7 @@ typedef struct {
   exact_graph graph;
   datapath datapath;
   int plane_cycle;   /* signs of orient2d are judged; last cycle of an II window */
+  bool ripple;       /* there is time for adders that are chains of full adders */
   bool at_once;      /* the verdict is in the same cycle */
   int verdict_cycle; /* the pair is judged; counted from the first registers, as all cycles are */
 } exact_plan;
@@ -100,6 +101,10 @@ int exact_orient3d_latency(const exact_plan *p);
 /* The longest chain, in ns, registers included, if these kinds of units have no register behind
  * them: a set of EXACT_CHAIN_. It is an upper estimate. */
 double exact_chain_time(const exact_plan *p, unsigned chained);
+
+/* The same if all kinds are chained and each adder is a chain of full adders. Infinite for an
+ * engine and for a design with a clearance, whose other adders are not known here. */
+double exact_ripple_time(const exact_plan *p);
 
 /* May these kinds be chained in this period in ns? Units with registers inside may not. */
 bool exact_may_chain(const exact_plan *p, unsigned chained, double period);

@@ -83,6 +83,7 @@ static void generate(emitter *e, exact_plan *plan) {
   const sepax_config *c = &e->design->config;
   emit_holes h = {0};
   e->design->latency = exact_latency(plan);
+  e->design->ripple = plan->ripple;
   gen_exact_units(e, plan, &h);
   gen_exact_core(e, plan, &h);
   set_words(&h, plan);

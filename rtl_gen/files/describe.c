@@ -97,6 +97,9 @@ void describe_json(const emitter *e, emit_text *out) {
   if (d->config.corner == SEPAX_CORNER_SLOW) {
     failed |= json_object_set_new(all, "slower", json_real(delay_corner(&d->config))) != 0;
   }
+  if (d->ripple) {
+    failed |= json_object_set_new(all, "adders", json_string("ripple")) != 0;
+  }
   json_decref(rest);
   char *json = json_dumps(all, JSON_INDENT(2) | JSON_REAL_PRECISION(6));
   /* Without memory jansson 2.14 prints a key as nothing. */

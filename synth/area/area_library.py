@@ -28,6 +28,48 @@ FULL_ADDER = """module {module} #(parameter N = 8) (
 endmodule
 """
 
+# An addition as a chain of full-adder cells, for techmap, which reads $alu: Y = A + (B ^ BI) + CI,
+# CO its carries, X = A ^ B ^ BI. Bits with a constant are logic, which is a half adder or less, and
+# so is the highest bit, whose carry is seldom read. Short additions stay as Yosys makes them.
+RIPPLE_ADDER = """(* techmap_celltype = "$alu" *)
+module _80_ripple_adder (A, B, CI, BI, X, Y, CO);
+  parameter A_SIGNED = 0;
+  parameter B_SIGNED = 0;
+  parameter A_WIDTH = 1;
+  parameter B_WIDTH = 1;
+  parameter Y_WIDTH = 1;
+  parameter _TECHMAP_CONSTMSK_A_ = 0;
+  parameter _TECHMAP_CONSTMSK_B_ = 0;
+  input [A_WIDTH-1:0] A;
+  input [B_WIDTH-1:0] B;
+  input CI, BI;
+  output [Y_WIDTH-1:0] X, Y, CO;
+  wire _TECHMAP_FAIL_ = Y_WIDTH <= {short};
+  wire [Y_WIDTH-1:0] a, b_as_given;
+  \\$pos #(.A_SIGNED(A_SIGNED), .A_WIDTH(A_WIDTH), .Y_WIDTH(Y_WIDTH)) wide_a (.A(A), .Y(a));
+  \\$pos #(.A_SIGNED(B_SIGNED), .A_WIDTH(B_WIDTH), .Y_WIDTH(Y_WIDTH)) wide_b (
+    .A(B), .Y(b_as_given)
+  );
+  wire [Y_WIDTH-1:0] b = b_as_given ^ {{Y_WIDTH{{BI}}}};
+  wire [Y_WIDTH:0] carry = {{CO, CI}};
+  assign X = a ^ b;
+  genvar i;
+  generate for (i = 0; i < Y_WIDTH; i = i + 1) begin : bits
+    localparam FIXED_A = i < A_WIDTH ? _TECHMAP_CONSTMSK_A_[i]
+                                     : !A_SIGNED || _TECHMAP_CONSTMSK_A_[A_WIDTH-1];
+    localparam FIXED_B = i < B_WIDTH ? _TECHMAP_CONSTMSK_B_[i]
+                                     : !B_SIGNED || _TECHMAP_CONSTMSK_B_[B_WIDTH-1];
+    if (i == 0 || i == Y_WIDTH - 1 || FIXED_A || FIXED_B) begin
+      assign Y[i] = X[i] ^ carry[i];
+      assign CO[i] = (a[i] & b[i]) | (X[i] & carry[i]);
+    end else begin
+      {cell} fa (.{a}(a[i]), .{b}(b[i]), .{c}(carry[i]), .{sum}(Y[i]), .{carry}(CO[i]));
+    end
+  end endgenerate
+endmodule
+"""
+SHORT_ADDER = 4  # bits
+
 
 def of_class(name: str) -> List[str]:
     """The modules of a class of synth/area/modules."""
@@ -115,3 +157,12 @@ def renamed(rtlil: str, plain: Dict[str, str]) -> str:
         else:
             lines.append(line)
     return "\n".join(lines)
+
+
+def ripple_adder(cells: Dict[str, Any]) -> str:
+    """An addition made of the library's full-adder cell, for techmap; empty if there is none."""
+    for cell, a, b, c, total, carry in FULL_ADDERS:
+        if cell in cells:
+            return RIPPLE_ADDER.format(short=SHORT_ADDER, cell=cell, a=a, b=b, c=c, sum=total,
+                                       carry=carry)
+    return ""

@@ -108,6 +108,28 @@ CASE(counts_of_known_designs) {
   expect("--word=18 --ii=1 --clock-ns=20", 3, 362);
 }
 
+/* Adders that are chains of full adders: at clocks that have time for them, and fewer gates. */
+CASE(ripple) {
+  static const struct {
+    const char *options;
+    bool ripple;
+  } row[] = {
+      {"--word=12 --ii=1 --clock-ns=5", false},        {"--word=12 --ii=1 --clock-ns=10", true},
+      {"--word=18 --ii=1 --clock-ns=10", true},        {"--word=18 --ii=3 --clock-ns=5", false},
+      {"--word=18 --ii=3 --clock-ns=10", true},        {"--word=32 --ii=1 --clock-ns=10", false},
+      {"--word=32 --ii=9 --clock-ns=20", true},        {"--word=12 --lanes=2 --clock-ns=20", false},
+      {"--word=12 --clearance=1 --clock-ns=20", false}};
+  for (size_t i = 0; i < LENGTH(row); i++) {
+    exact_counts counts = {0};
+    assert_true(plan_of(row[i].options, &counts));
+    assert_int_equal(plan->ripple, row[i].ripple);
+    if (plan->ripple) {
+      plan->ripple = false;
+      assert_true(counts.gates < exact_count(plan).gates);
+    }
+  }
+}
+
 CASE(fast_clocks_chain_nothing) {
   for (int word = 5; word <= 20; word += 5) {
     for (int ii = 1; ii <= 9; ii += 2) {
