@@ -45,12 +45,16 @@ static void straight(const nc_way *first, const nc_way *second, double within,
   }
 }
 
-/* All that one of the motions does: the one with the smaller sum. */
+/* All that one of the motions does: the one that moves bodies less. Either is right; a degree moves
+ * a body that is 150 mm from the axis as far as so many mm. */
+static const double a_degree = 2.6;
+
 static void parallelogram(const double far[2][NC_AXES], double off[NC_AXES]) {
   double sum[2] = {0, 0};
   for (int i = 0; i < NC_AXES; i++) {
-    sum[0] += far[0][i];
-    sum[1] += far[1][i];
+    double weight = i >= NC_A && i <= NC_C ? a_degree : 1;
+    sum[0] += weight * far[0][i];
+    sum[1] += weight * far[1][i];
   }
   memcpy(off, far[sum[0] < sum[1] ? 0 : 1], NC_AXES * sizeof *off);
 }
