@@ -3,12 +3,14 @@
 #include "generate.h"
 
 #include "conference/conference.h"
+#include "emit/prefix.h"
 #include "exact/exact.h"
 #include "files/output.h"
 #include "paper/paper.h"
 #include "util/error.h"
 
 #include <stdio.h>
+#include <string.h>
 
 /* The generator of each architecture with hardware. */
 static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *e) = {
@@ -17,23 +19,34 @@ static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *e) = {
     [SEPAX_ARCH_CONFERENCE] = gen_conference,
 };
 
-bool sepax_generate(sepax_design *design, const char *folder, sepax_error *error) {
+bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
+                    sepax_error *error) {
   if (generators[design->config.arch] == NULL) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "arch: '%s' has no hardware; give --arch=exact, paper or conference",
                       sepax_arch_name(design->config.arch));
   }
-  char command[SEPAX_CONFIG_TEXT + 16];
+  const char *prefix = how->prefix != NULL ? how->prefix : PREFIX_STANDARD;
+  if (!prefix_check(prefix, error)) {
+    return false;
+  }
+  const bool own = strcmp(prefix, PREFIX_STANDARD) != 0;
+  char command[SEPAX_CONFIG_TEXT + 64];
   char text[SEPAX_CONFIG_TEXT];
-  snprintf(command, sizeof command, "sepax gen %s",
-           sepax_config_text(&design->config, text, sizeof text));
+  snprintf(command, sizeof command, "sepax gen %s%s%s%s",
+           sepax_config_text(&design->config, text, sizeof text), own ? " --prefix=" : "",
+           own ? prefix : "", how->absolute ? " --absolute" : "");
   emitter e;
   emit_init(&e, design, command);
+  e.prefix = prefix;
   bool ok = generators[design->config.arch](&e);
   if (!ok) {
     *error = e.error;
   }
-  ok = ok && gen_write(&e, folder, error);
+  if (ok) {
+    emit_drop_unused(&e);
+  }
+  ok = ok && gen_write(&e, folder, how->absolute, error);
   emit_free(&e);
   return ok;
 }

@@ -9,11 +9,19 @@
 
 #include "sepax_design.h"
 
+/* How a design is written. All zero: as usual. */
+typedef struct {
+  const char *prefix; /* of modules, files and macros, in place of sepax; NULL: sepax */
+  bool absolute;      /* also PREFIX_absolute.f, the list of modules with absolute paths */
+} sepax_output;
+
 /* Write the Verilog of the design into the folder, which is made if it is missing, and the files
  * that tell about the design (files/output.h lists them). Sets design->latency, in cycles, where
- * the schedule that is made here fixes it. Fails if the architecture has no hardware, if the clock
- * period is too short for a stage, if the emitter refuses a module, without memory, and if a file
- * cannot be written; then the folder is as it was. */
-bool sepax_generate(sepax_design *design, const char *folder, sepax_error *error);
+ * the schedule that is made here fixes it. Fails if the architecture has no hardware, if the prefix
+ * does not fit (emit/prefix.h), if the clock period is too short for a stage, if the emitter
+ * refuses a module, without memory, and if a file cannot be written; then the folder is as it was.
+ */
+bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
+                    sepax_error *error);
 
 #endif

@@ -9,10 +9,20 @@
 typedef struct {
   sepax_config config;
   const char *folder;
+  sepax_output how;
 } gen_options;
 
+enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE };
+
 static const struct argp_option options[] = {
-    {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0}, {0}};
+    {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
+    {"prefix", OPTION_PREFIX, "NAME", 0,
+     "first part of the names of modules, files and macros: NAME_top, NAME_REGISTERS_H (default "
+     "sepax). Several designs with prefixes of their own fit into one project",
+     0},
+    {"absolute", OPTION_ABSOLUTE, NULL, 0,
+     "write also NAME_absolute.f, the list of the modules' files with absolute paths", 0},
+    {0}};
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   gen_options *o = state->input;
@@ -22,6 +32,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case 'o':
     o->folder = text;
+    return 0;
+  case OPTION_PREFIX:
+    o->how.prefix = text;
+    return 0;
+  case OPTION_ABSOLUTE:
+    o->how.absolute = true;
     return 0;
   case ARGP_KEY_ARG:
     argp_error(state, "unexpected argument '%s'", text);
@@ -56,7 +72,7 @@ int cli_gen(int argc, char **argv) {
   sepax_error error = {0};
   sepax_design design;
   if (!sepax_design_init(&design, &o.config, &error) ||
-      !sepax_generate(&design, o.folder, &error)) {
+      !sepax_generate(&design, o.folder, &o.how, &error)) {
     return cli_fail("sepax gen", &error);
   }
   char text[SEPAX_CONFIG_TEXT];

@@ -450,7 +450,8 @@ static bool inputs_spared(const size_options *o, sepax_error *error) {
 
 static bool generate(const size_options *o, const sepax_sized_design *m, sepax_error *error) {
   sepax_design design;
-  return sepax_design_init(&design, &m->config, error) && sepax_generate(&design, o->folder, error);
+  return sepax_design_init(&design, &m->config, error) &&
+         sepax_generate(&design, o->folder, &(sepax_output){NULL}, error);
 }
 
 int cli_size(int argc, char **argv) {

@@ -2,9 +2,11 @@
 /* emit.c - the emitter's modules and errors; template.c makes them, check.c judges them. */
 #include "emit.h"
 
+#include "emit/prefix.h"
 #include "util/error.h"
 #include "util/list.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,16 +31,20 @@ void emit_net(emit_text *out, const char *kind, const char *width, const char *n
   }
 }
 
+static void free_module(emit_module *m) {
+  free(m->banner);
+  free(m->verilog);
+  free(m);
+}
+
 void emit_init(emitter *e, sepax_design *design, const char *command) {
-  *e = (emitter){.design = design};
+  *e = (emitter){.design = design, .prefix = PREFIX_STANDARD};
   snprintf(e->command, sizeof e->command, "%s", command);
 }
 
 void emit_free(emitter *e) {
   for (int i = 0; i < e->modules; i++) {
-    free(e->module[i]->banner);
-    free(e->module[i]->verilog);
-    free(e->module[i]);
+    free_module(e->module[i]);
   }
   for (int i = 0; i < e->variants; i++) {
     free(e->variant[i]);
@@ -102,6 +108,38 @@ const emit_module *emit_find(const emitter *e, const char *name) {
     }
   }
   return NULL;
+}
+
+/* Does the text have this name as a word? */
+static bool has_word(const char *text, const char *name) {
+  const size_t length = strlen(name);
+  for (const char *at = text; (at = strstr(at, name)) != NULL; at += length) {
+    bool begins = at == text || !(isalnum((unsigned char)at[-1]) || at[-1] == '_');
+    if (begins && !isalnum((unsigned char)at[length]) && at[length] != '_') {
+      return true;
+    }
+  }
+  return false;
+}
+
+void emit_drop_unused(emitter *e) {
+  int kept = 0;
+  /* A module stands behind those that it instantiates. */
+  for (int i = e->modules - 1; i >= 0; i--) {
+    emit_module *m = e->module[i];
+    m->used = i == e->modules - 1;
+    for (int k = i + 1; k < e->modules && !m->used; k++) {
+      m->used = e->module[k]->used && has_word(e->module[k]->verilog, m->name);
+    }
+  }
+  for (int i = 0; i < e->modules; i++) {
+    if (e->module[i]->used) {
+      e->module[kept++] = e->module[i];
+    } else {
+      free_module(e->module[i]);
+    }
+  }
+  e->modules = kept;
 }
 
 /* The command behind "//   ", broken at blanks. */

@@ -32,11 +32,13 @@ typedef struct {
   char name[EMIT_NAME];
   char *banner;  /* comment lines */
   char *verilog; /* from the attributes of the module to endmodule */
+  bool used;     /* by emit_drop_unused: the top, or named by a module that is used */
 } emit_module;
 
 typedef struct emitter {
   sepax_design *design; /* NULL: modules by themselves. The generator sets its latency */
   char command[512];    /* printed in every banner */
+  const char *prefix;   /* of what is written, in place of sepax; here all names have sepax */
   emit_module **module;
   int modules;
   char **variant; /* modules with parameter values that passed the check */
@@ -54,7 +56,11 @@ emit_module *emit_new_module(emitter *e, const char *name);
 /* A module emitted before, by name; NULL if there is none. */
 const emit_module *emit_find(const emitter *e, const char *name);
 
-/* Print one checked module. */
+/* Drop the modules that neither the last module nor one that it needs names. Tools would take each
+ * of them for another top. Some units are such where II shares others. */
+void emit_drop_unused(emitter *e);
+
+/* Print one checked module, with names that begin with sepax_. */
 void emit_print(const emit_module *m, emit_text *out);
 
 /* Keep an error, unless there is one already: of the emitter, or the refusal of a module. Both

@@ -158,10 +158,20 @@ static const char reserved[] =
     " union unique untyped use uwire var vectored virtual void wait weak while wildcard"
     " with within wor xnor xor ";
 
-static bool is_reserved(const char *name) {
+/* Words of Verilog-AMS, but for its functions of numbers, such as min. */
+static const char reserved_ams[] =
+    " above absdelay ac_stim access aliasparam analog analysis branch connect connectmodule"
+    " connectrules continuous ddt ddt_nature ddx discipline discrete domain driver_update"
+    " endconnectrules enddiscipline endnature endparamset exclude final_step flicker_noise"
+    " flow from ground idt idt_nature idtmod inf initial_step laplace_nd laplace_np laplace_zd"
+    " laplace_zp last_crossing limexp merged nature net_resolution noise_table paramset"
+    " potential resolveto slew split timer transition units white_noise wreal zi_nd zi_np"
+    " zi_zd zi_zp ";
+
+static bool is_word_of(const char *words, const char *name) {
   char word[EMIT_NAME + 2];
   snprintf(word, sizeof word, " %s ", name);
-  return strstr(reserved, word) != NULL;
+  return strstr(words, word) != NULL;
 }
 
 check_name *reader_declare(reader *r, name_kind kind, const char *name, int width) {
@@ -169,8 +179,14 @@ check_name *reader_declare(reader *r, name_kind kind, const char *name, int widt
   if (found != NULL && found - r->name >= r->scope) {
     reader_fault(r, "'%s' is declared twice", name);
   }
-  if (is_reserved(name)) {
+  if (is_word_of(reserved, name)) {
     reader_fault(r, "a word of SystemVerilog as a name: '%s'", name);
+  }
+  if (is_word_of(reserved_ams, name)) {
+    reader_fault(r, "a word of Verilog-AMS as a name: '%s'", name);
+  }
+  if (found != NULL && kind == NAME_LABEL && found->kind == NAME_LABEL) {
+    reader_fault(r, "'%s' names a block around it, too", name);
   }
   if (kind >= NAME_WIRE && width < 1) {
     reader_fault(r, "no bits in '%s'", name);

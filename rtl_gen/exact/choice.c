@@ -11,6 +11,7 @@
 
 #include "util/error.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { FIRST_PS = 2000, LAST_PS = 60000 };
@@ -109,6 +110,20 @@ static unsigned choose(exact_plan *p, double period) {
   return best.chained;
 }
 
+/* The least period of 10 ps steps, in ps, whose own stages fit into it. Registers stand elsewhere
+ * at a longer period, so that the longest stage of a shorter one need not be the answer. */
+static int least_period(exact_plan *p, double slower) {
+  enum { STEP = 10, MOST = 1000000 };
+  int ps = 0;
+  int needed = (int)ceil(p->stages.shortest * slower * 1000);
+  while (needed > ps && ps < MOST) {
+    ps = (needed + STEP - 1) / STEP * STEP;
+    place(p, ps / 1000.0 / slower);
+    needed = (int)ceil(p->stages.shortest * slower * 1000);
+  }
+  return ps;
+}
+
 bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *error) {
   const sepax_config *config = &design->config;
   *p = (exact_plan){.design = design,
@@ -122,9 +137,9 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
   place(p, period);
   double shortest = p->stages.shortest * slower;
   if (shortest * 1000 > config->clock_ps) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "clock-ns: %g is too short for W = %d; give %.2f or more",
-                      config->clock_ps / 1000.0, design->core_word, shortest + 0.005);
+    return sepax_fail(
+        error, SEPAX_ERROR_ARGUMENT, "clock-ns: %g is too short for W = %d; give %.2f or more",
+        config->clock_ps / 1000.0, design->core_word, least_period(p, slower) / 1000.0);
   }
   p->stages.chained = choose(p, period);
   p->ripple = p->stages.chained == EXACT_CHAIN_ALL && exact_ripple_time(p) <= period;

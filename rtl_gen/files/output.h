@@ -9,9 +9,11 @@
  * them, top last), and, if the emitter has a design, sepax_params.h, sepax_params.vh and sepax.json
  * (configuration, formats, latency, ports) for test benches, sepax.sdc and for Xilinx sepax.xdc
  * (the clock), sepax.gtkw (ports for GTKWave), of an engine its registers. Each file is written
- * aside and renamed; the folder is made if missing, and removed again if the run fails. Files of a
+ * aside and renamed; the folder is made if missing, with those
+ * that it is in, and removed again if the run fails. Files of a
  * design that was there before go: those named sepax_... or sepax. ... that begin with a generated
- * file's banner. */
-bool gen_write(const emitter *e, const char *folder, sepax_error *error);
+ * file's banner. All names have the emitter's prefix in place of sepax. `absolute` adds
+ * sepax_absolute.f, with the paths of the modules from the root. */
+bool gen_write(const emitter *e, const char *folder, bool absolute, sepax_error *error);
 
 #endif

@@ -2,6 +2,7 @@
 /* emit.c - what the Verilog templates may say, what of it is refused, and that every design passes.
  */
 #include "conference/conference.h"
+#include "emit/prefix.h"
 #include "emit/template.h"
 #include "harness.h"
 #include "paper/paper.h"
@@ -69,6 +70,9 @@ CASE(test_declarations) {
   expect("  wire [9:4] d;\n  wire f = d[10];", "select outside of 'd'");
   expect("  wire a;", "'a' is declared twice");
   expect("  wire cross;", "a word of SystemVerilog as a name: 'cross'");
+  expect("  wire units;", "a word of Verilog-AMS as a name: 'units'");
+  expect("  wire zi_zp;", "a word of Verilog-AMS as a name: 'zi_zp'");
+  expect("  wire above_2, my_units;", NULL);
   expect("  assign y = n;\n  wire [W-1:0] n;", "undeclared signal 'n'");
   expect("  wire f = a == 2'd4;", "exceeds its size");
   expect("  wire [W-1:0] p, m;\n  assign {p, m} = {a, a};", NULL);
@@ -247,6 +251,62 @@ CASE(test_instances) {
   expect_top("twig #(.W(5)) inner (.a(a), .y(y));", "not emitted yet: 'twig'");
   expect_behind("module same (\n  input wire a // bit\n);\nendmodule\n", NULL,
                 "module same (\n  input wire a // bit\n);", "", "emitted twice");
+}
+
+/* A block in a block has a name of its own. */
+CASE(test_labels) {
+  static const char within[] = "  genvar i, k;\n  generate\n"
+                               "    for (i = 0; i < N; i = i + 1) begin : %s\n"
+                               "      for (k = 0; k < 2; k = k + 1) begin : %s\n"
+                               "        wire f = a[k];\n      end\n    end\n"
+                               "    for (i = 0; i < 2; i = i + 1) begin : %s\n"
+                               "      wire g = a[i];\n    end\n  endgenerate";
+  expect(gen_format(within, "outer", "inner", "last").text, NULL);
+  expect(gen_format(within, "axis", "axis", "last").text, "'axis' names a block around it, too");
+}
+
+/* Modules that nobody needs go, with what only they need; a name that is part of another does not
+ * count. */
+CASE(test_drop_unused) {
+  static const char text[] = "// A module.\nmodule @name@ (\n  input wire a // bit\n);\n@of@\n"
+                             "endmodule\n";
+  static const char *const row[][2] = {{"leaf", ""},
+                                       {"leaf_2", ""},
+                                       {"lonely_leaf", ""},
+                                       {"lonely", "  lonely_leaf l (.a(a));\n  leaf m (.a(a));"},
+                                       {"twig", "  leaf_2 l (.a(a));"},
+                                       {"top", "  twig t (.a(a));"}};
+  emitter e;
+  emit_init(&e, NULL, "test");
+  for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    const emit_hole hole[] = {{"name", row[i][0]}, {"of", row[i][1]}, {NULL, NULL}};
+    assert_true(emit_template_text(&e, row[i][0], text, hole));
+  }
+  emit_drop_unused(&e);
+  assert_int_equal(e.modules, 3);
+  assert_string_equal(e.module[0]->name, "leaf_2");
+  assert_string_equal(e.module[1]->name, "twig");
+  assert_string_equal(e.module[2]->name, "top");
+  emit_free(&e);
+}
+
+static void expect_prefix(const char *text, const char *prefix, const char *want) {
+  emit_text out = {NULL};
+  prefix_put(&out, text, prefix);
+  char *got = text_take(&out);
+  assert_string_equal(got, want);
+  free(got);
+}
+
+CASE(test_prefix) {
+  expect_prefix("sepax_fa a (sepax_b); `ifdef SEPAX_X", "left",
+                "left_fa a (left_b); `ifdef LEFT_X");
+  expect_prefix("sepax_", "a1_b", "a1_b_");
+  expect_prefix("SEPAX_SEPAX_sepax_", "a1_b", "A1_B_SEPAX_sepax_");
+  expect_prefix("sepax gen, sepax.f, sepaxes, my_sepax_x, 1sepax_x, $sepax_x, Sepax_x", "left",
+                "sepax gen, sepax.f, sepaxes, my_sepax_x, 1sepax_x, $sepax_x, Sepax_x");
+  expect_prefix("sepax_a\nSEPAX_b", "sepax", "sepax_a\nSEPAX_b");
+  expect_prefix("", "left", "");
 }
 
 CASE(test_print) {

@@ -264,13 +264,13 @@ module sepax_tree_compare #(
       );
       for (j = 0; j < 16; j = j + 1) begin : lane
         //@ if fpga
-        wire [23:0] above = boxes[48*j+24 +: 24];
+        wire [23:0] upper = boxes[48*j+24 +: 24];
         wire [23:0] below = boxes[48*j +: 24];
         //@ else
-        wire [23:0] above = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
+        wire [23:0] upper = t_side_q ? boxes_b[48*j+24 +: 24] : boxes_a[48*j+24 +: 24];
         wire [23:0] below = t_side_q ? boxes_b[48*j +: 24] : boxes_a[48*j +: 24];
         //@ end
-        assign bounds[24*j +: 24] = k[0] ? ~below : above;
+        assign bounds[24*j +: 24] = k[0] ? ~below : upper;
       end
       sepax_lanes lanes (
         .clk(clk), //@ fpga

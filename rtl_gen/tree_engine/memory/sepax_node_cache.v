@@ -95,8 +95,8 @@ module sepax_node_cache #(
   reg  [SETS+2:0]  tag_q;
   reg  [127:0]     data_q;
   reg  [7:0]       first_q, first_q2; // one-hot: the unit that a box begins with, modulo 8
-  wire [127:0]     units;             // the units of a box and their neighbours
-  reg  [127:0]     units_q;
+  wire [127:0]     words;             // the units of a box and their neighbours
+  reg  [127:0]     words_q;
   wire [767:0]     all;
 
   genvar i, j, k;
@@ -132,7 +132,7 @@ module sepax_node_cache #(
       sepax_ram #(.WIDTH(16), .ADDRESS(SETS+6)) of_beats (
         .clk(clk), .write(fill_q), .write_address({tag_q, beat_q}),
         .write_data(data_q[16*k +: 16]), .read(box_read),
-        .read_address({box_slot, beat_of[box_index]}), .read_data(units[16*k +: 16])
+        .read_address({box_slot, beat_of[box_index]}), .read_data(words[16*k +: 16])
       );
       localparam [31:0] CHILD = (3 * k) % 8; // box number, modulo 8, of this first unit
       always @(posedge clk) begin
@@ -142,7 +142,7 @@ module sepax_node_cache #(
     for (i = 0; i < 48; i = i + 1) begin : box_bit
       wire [7:0] here;
       for (k = 0; k < 8; k = k + 1) begin : of_unit
-        assign here[k] = units_q[16*k+i%16] && first_q2[(k+8-i/16)%8];
+        assign here[k] = words_q[16*k+i%16] && first_q2[(k+8-i/16)%8];
       end
       always @(posedge clk) begin
         box[i] <= |here;
@@ -156,7 +156,7 @@ module sepax_node_cache #(
     tag_q <= fill_tag;
     data_q <= fill_data;
     first_q2 <= first_q;
-    units_q <= units;
+    words_q <= words;
     boxes <= all;
   end
 //@ else

@@ -41,17 +41,17 @@ module sepax_turned_box #(
       );
     end
     for (k = 0; k < 3; k = k + 1) begin : vertex
-      wire [2:0] from = first ? same[3*k +: 3] : 3'd1 << k;
-      for (i = 0; i < 3; i = i + 1) begin : axis
+      wire [2:0] copied = first ? same[3*k +: 3] : 3'd1 << k;
+      for (i = 0; i < 3; i = i + 1) begin : cut
         assign vertices[W*(3*k+i) +: W] = point_q[V*(3*k+i) +: W];
       end
       always @(posedge clk) begin
         if (valid) begin
           point_q[3*V*k +: 3*V] <= place[k] ? point
-                                 : (point_q[0 +: 3*V] & {(3*V){from[0]}}) |
-                                   (point_q[3*V +: 3*V] & {(3*V){from[1]}}) |
-                                   (point_q[6*V +: 3*V] & {(3*V){from[2]}});
-          outside_q[k] <= place[k] ? (|outside) : |(outside_q & from);
+                                 : (point_q[0 +: 3*V] & {(3*V){copied[0]}}) |
+                                   (point_q[3*V +: 3*V] & {(3*V){copied[1]}}) |
+                                   (point_q[6*V +: 3*V] & {(3*V){copied[2]}});
+          outside_q[k] <= place[k] ? (|outside) : |(outside_q & copied);
         end
       end
     end

@@ -31,7 +31,7 @@ static bool try_without(const sepax_design *of, long n) {
   memory.taken = 0;
   memory.left = n;
   memory.watched = true;
-  bool works = sepax_generate(&design, scanty, &fault);
+  bool works = sepax_generate(&design, scanty, &(sepax_output){NULL}, &fault);
   memory.watched = false;
   bool refused = memory.left < 0;
   bool there = stat(scanty, &status) == 0;
@@ -49,7 +49,7 @@ static void expect_errors(const char *options) {
   long tried = 0;
   snprintf(whole, sizeof whole, "%s/whole", folder);
   snprintf(scanty, sizeof scanty, "%s/scanty", folder);
-  assert_works(sepax_generate(&design, whole, &fault));
+  assert_works(sepax_generate(&design, whole, &(sepax_output){NULL}, &fault));
   for (long n = 0; try_without(&design, n); n += n < FIRST ? 1 : STRIDE) {
     tried++;
   }
