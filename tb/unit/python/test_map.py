@@ -68,6 +68,28 @@ class Folder(unittest.TestCase):
         return design
 
 
+class Adders(Folder):
+    def is_ripple(self, period: str, cell: str = "FA_X1") -> bool:
+        """Whether additions are chains of full adders."""
+        design = self.design(p=period)
+        design.cells = {"NAND2": {"area": 1}, cell: {"area": 2}}
+        commands = str(design.synthesis())
+        self.assertEqual("ripple_adder.v" in commands, (design.out / "ripple_adder.v").is_file())
+        (design.out / "ripple_adder.v").unlink(missing_ok=True)
+        return "ripple_adder.v" in commands
+
+    def test_where_the_clock_has_time(self) -> None:
+        self.describe("--word=4 --clock-ns=20", clock_ns=20, adders="ripple")
+        self.assertTrue(self.is_ripple("0"))
+        self.assertTrue(self.is_ripple("20"))
+        self.assertTrue(self.is_ripple("25"))
+        self.assertFalse(self.is_ripple("19.9"))
+        self.assertFalse(self.is_ripple("20", "NOT"))
+        self.describe("--word=4 --clock-ns=20", clock_ns=20)
+        self.assertFalse(self.is_ripple("20"))
+        self.assertFalse(self.is_ripple("0"))
+
+
 class Refusals(Folder):
     def refused(self, words: str, *arguments: str) -> None:
         status, said = self.run_map(*arguments)
