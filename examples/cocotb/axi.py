@@ -30,7 +30,7 @@ class Top:
     def __init__(self, dut):
         self.dut = dut
         dut._log.setLevel("ERROR")  # the models of the buses tell every transfer
-        cocotb.start_soon(Clock(dut.aclk, 10, units="ns").start())
+        cocotb.start_soon(Clock(dut.aclk, 10, "ns").start())
         self.clocked = {"clock": dut.aclk, "reset": dut.aresetn, "reset_active_level": False}
         stream = {"byte_lanes": 1, **self.clocked}  # a transfer is one number
         self.sink = AxiStreamSink(AxiStreamBus.from_prefix(dut, "m_axis"), **stream)
