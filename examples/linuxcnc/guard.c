@@ -1,0 +1,294 @@
+/* SPDX-License-Identifier: MIT */
+/* guard.c - the verdict of each period; see guard.h. */
+#include "machine.h"
+
+#include <math.h>
+#include <string.h>
+
+const char *guard_reason_text(guard_reason reason) {
+  static const char *const TEXT[] = {
+      "none",           "near",           "may be near",  "not homed", "a number is not valid",
+      "tool not known", "a joint jumped", "query refused"};
+  return TEXT[reason];
+}
+
+/* ------------------------------------------------------------------ the way of braking */
+
+/* How far a joint goes that brakes with `a` from the velocity w after the time d. */
+static double way(double w, double a, double d) { return w > 0 ? w * d + w * w / (2 * a) : 0; }
+
+static bool resting(const guard_settings *s, const guard_input *in) {
+  bool rest = in->speed == 0;
+  for (size_t n = 0; n < s->joints; n++) {
+    rest = rest && in->velocity[n] == 0;
+  }
+  return rest;
+}
+
+static bool on_path(const guard_settings *s, size_t n) { return strchr("XYZ", s->axis[n]) != NULL; }
+
+static double way_of_path(const guard_settings *s, const guard_input *in, double d) {
+  double square = 0;
+  double growth = 0;
+  double least = INFINITY;
+  for (size_t n = 0; n < s->joints; n++) {
+    if (on_path(s, n)) {
+      square += in->velocity[n] * in->velocity[n];
+      growth += in->acceleration[n] * in->acceleration[n];
+      least = fmin(least, in->acceleration[n]);
+    }
+  }
+  return way(fmax(sqrt(square), fabs(in->speed)) + sqrt(growth) * d, s->brake * least, d);
+}
+
+void guard_reach(const guard_settings *s, const guard_input *in, double low[GUARD_JOINTS_MOST],
+                 double high[GUARD_JOINTS_MOST]) {
+  const double d = s->reaction * in->period;
+  const bool rest = resting(s, in);
+  const double path = in->coordinated ? way_of_path(s, in, d) : 0;
+  for (size_t n = 0; n < s->joints; n++) {
+    const double a = in->acceleration[n];
+    if (!in->coordinated) {
+      high[n] = way(in->velocity[n] + a * d, a, d);
+      low[n] = -way(a * d - in->velocity[n], a, d);
+    } else {
+      high[n] = on_path(s, n) ? path : way(rest ? a * d : in->fastest[n], s->brake * a, d);
+      low[n] = -high[n];
+    }
+  }
+}
+
+/* Values and travels of a machine that cover the box. X, Y and Z together move along the path, so
+ * if their axes are at right angles, then they move no body by more than the way of the path: a
+ * ball, where the box would count this way three times. The factors cover the rounding of all this
+ * and of `square`. */
+static void cover(guard_machine *m, const guard_settings *s, const guard_input *in) {
+  double low[GUARD_JOINTS_MOST];
+  double high[GUARD_JOINTS_MOST];
+  guard_reach(s, in, low, high);
+  m->apart = 0;
+  for (size_t n = 0; n < s->joints; n++) {
+    if (in->coordinated && m->square && on_path(s, n)) {
+      m->apart = high[n] * s->unit * (1 + 1e-9);
+      low[n] = high[n] = 0;
+    }
+    const double middle = in->position[n] + (low[n] + high[n]) / 2;
+    const double half = (high[n] - low[n]) / 2 * (1 + 1e-9) + fabs(middle) * 1e-14;
+    m->value[m->joint[n]] = middle * m->scale[n];
+    m->travel[m->joint[n]] = half * m->scale[n];
+  }
+}
+
+/* ------------------------------------------------------------------ queries */
+
+/* With `travel`: for all positions of `cover`; else for the values alone. */
+static bool ask(guard_machine *m, const guard_settings *s, double clearance, const double *travel,
+                bool measure, sepax_machine_answer *answer) {
+  sepax_error error = {0};
+  const double apart = travel != NULL ? m->apart : 0;
+  const sepax_machine_query query = {.size = sizeof query,
+                                     .clearance = clearance + apart,
+                                     .travel = travel,
+                                     .work = s->work,
+                                     .measure = measure,
+                                     .relative = 0.02,
+                                     .absolute = 1e-6};
+  memset(answer, 0, sizeof *answer);
+  const bool good = sepax_watch_ask(m->watch, m->value, &query, answer, &error);
+  answer->least = fmax(0, answer->least - apart);
+  answer->most = fmax(0, answer->most - apart);
+  return good;
+}
+
+static void report(const guard_machine *m, const guard_settings *s,
+                   const sepax_machine_answer *answer, guard_output *out) {
+  const size_t pair = answer->nearest != SEPAX_NO_PAIR ? answer->nearest : answer->pair;
+  out->least = answer->least / s->unit;
+  out->most = answer->most / s->unit;
+  out->work += answer->work;
+  for (int side = 0; side < 2 && pair != SEPAX_NO_PAIR; side++) {
+    out->nearest[side] = m->robot.pairs.pair[pair][side];
+  }
+}
+
+/* ------------------------------------------------------------------ one period */
+
+static bool numbers_good(const guard_settings *s, const guard_input *in) {
+  bool good = in->period > 0 && in->period <= 1 && isfinite(in->speed);
+  for (size_t n = 0; n < s->joints; n++) {
+    good = good && isfinite(in->position[n]) && isfinite(in->velocity[n]) &&
+           in->acceleration[n] > 0 && isfinite(in->acceleration[n]) && in->fastest[n] > 0 &&
+           isfinite(in->fastest[n]);
+  }
+  return good;
+}
+
+/* A period was missed, or the velocities are not connected: the way since the period before is
+ * more than the velocity explains. */
+static bool jumped(const guard *g, const guard_input *in) {
+  bool jump = false;
+  for (size_t n = 0; n < g->settings.joints; n++) {
+    const double moved = fabs(in->position[n] - g->last[n]);
+    const double change = 8 * in->acceleration[n] * in->period;
+    jump = jump || moved > (1.5 * fabs(in->velocity[n]) + change) * in->period;
+  }
+  return g->seen && jump;
+}
+
+static guard_machine *machine_of(guard *g, long tool) {
+  for (size_t n = 0; n < g->tools; n++) {
+    if (g->tool[n].tool == tool || g->tool[n].tool == -1) {
+      return &g->tool[n];
+    }
+  }
+  return NULL;
+}
+
+static guard_reason failure(guard *g, const guard_input *in) {
+  if (!numbers_good(&g->settings, in)) {
+    return GUARD_NOT_A_NUMBER;
+  }
+  if (!in->homed) {
+    return GUARD_NOT_HOMED;
+  }
+  if (machine_of(g, in->tool) == NULL) {
+    return GUARD_TOOL;
+  }
+  return jumped(g, in) ? GUARD_JUMP : GUARD_NO_REASON;
+}
+
+static void latch(guard *g, guard_reason reason) {
+  if (!g->latched) {
+    g->reason = reason;
+    g->kept = g->settings.clearance;
+    g->rebase = true;
+  }
+  g->latched = true;
+}
+
+/* The machine may move: is it still proved that it stops in time? */
+static void run(guard *g, guard_machine *m, const guard_input *in, guard_output *out) {
+  const guard_settings *s = &g->settings;
+  sepax_machine_answer answer;
+  cover(m, s, in);
+  if (!ask(m, s, s->clearance, m->travel, true, &answer)) {
+    latch(g, GUARD_QUERY);
+    return;
+  }
+  report(m, s, &answer, out);
+  if (answer.verdict != SEPAX_APART) {
+    latch(g, answer.verdict == SEPAX_NEAR ? GUARD_IS_NEAR : GUARD_MAY_BE_NEAR);
+    return;
+  }
+  const double leave = s->clearance + 1.1 * s->slow_zone;
+  if (answer.least >= leave) {
+    g->slow = false;
+    return;
+  }
+  /* The zone is one of distance, not of speed: otherwise slowing would leave it. */
+  for (size_t n = 0; n < s->joints; n++) {
+    m->value[m->joint[n]] = in->position[n] * m->scale[n];
+  }
+  if (!ask(m, s, s->clearance, NULL, true, &answer)) {
+    latch(g, GUARD_QUERY);
+    return;
+  }
+  report(m, s, &answer, out);
+  g->slow = answer.least < (g->slow ? leave : s->clearance + s->slow_zone);
+}
+
+/* The joint of the control that may go farthest, as a number of the mechanism. */
+static size_t farthest(const guard_machine *m, const guard_settings *s) {
+  size_t joint = m->joint[0];
+  for (size_t n = 1; n < s->joints; n++) {
+    joint = m->travel[m->joint[n]] > m->travel[joint] ? m->joint[n] : joint;
+  }
+  return joint;
+}
+
+/* Is every pair farther apart than `clearance` in all positions of `cover`? The way of the joint
+ * that goes farthest is divided, because a query counts a way along a surface like one towards it.
+ * The pieces share the work of one query. */
+static bool apart_in_pieces(guard_machine *m, const guard_settings *s, double clearance,
+                            guard_output *out) {
+  enum { PIECES = 4 };
+  guard_settings piece = *s;
+  sepax_machine_answer answer;
+  const size_t joint = farthest(m, s);
+  const double middle = m->value[joint];
+  const double half = m->travel[joint];
+  bool apart = true;
+  piece.work = s->work / PIECES + 1;
+  m->travel[joint] = half / PIECES + (fabs(middle) + half) * 1e-14;
+  for (int n = 0; n < PIECES && apart; n++) {
+    m->value[joint] = middle + half * (2 * n + 1 - PIECES) / PIECES;
+    apart = ask(m, &piece, clearance, m->travel, false, &answer) && answer.verdict == SEPAX_APART;
+    out->work += answer.work;
+  }
+  return apart;
+}
+
+/* Stopped: a jog may only lead away. When the joints rest, the guard notes the least distance of
+ * all pairs, less a tenth of the clearance, so that a jog along a surface is not one towards it.
+ * No pair may come nearer than this. It is noted once after the stop and once after each reset;
+ * otherwise it only grows, so that repeated jogs do not wear it down. */
+static void hold(guard *g, guard_machine *m, const guard_input *in, bool reset, guard_output *out) {
+  const guard_settings *s = &g->settings;
+  sepax_machine_answer answer;
+  out->jog_stop = true;
+  g->rebase = g->rebase || reset;
+  cover(m, s, in);
+  const bool rest = resting(s, in);
+  if (!ask(m, s, s->clearance, m->travel, true, &answer)) {
+    return;
+  }
+  report(m, s, &answer, out);
+  if (reset && rest && answer.verdict == SEPAX_APART) {
+    g->latched = false;
+    g->reason = GUARD_NO_REASON;
+    out->jog_stop = false;
+    return;
+  }
+  if (rest && !in->coordinated) {
+    const double lower = answer.least - 0.1 * s->clearance;
+    const double kept = answer.least >= s->clearance ? fmax(lower, s->clearance) : fmax(lower, 0);
+    g->kept = g->rebase ? kept : fmax(kept, g->kept);
+    g->rebase = false;
+  }
+  out->jog_stop =
+      in->coordinated || g->rebase || g->kept == 0 || !apart_in_pieces(m, s, g->kept, out);
+}
+
+static void finish(guard *g, const guard_input *in, guard_output *out) {
+  const bool stopped = out->state == GUARD_BLIND || g->latched;
+  if (g->latched) {
+    out->state = GUARD_STOPPED;
+  } else if (out->state != GUARD_BLIND) {
+    out->state = g->slow ? GUARD_SLOW : GUARD_FREE;
+  }
+  out->reason = out->state == GUARD_BLIND ? GUARD_NOT_HOMED : g->reason;
+  out->feed_inhibit = stopped;
+  out->feed_scale = stopped ? 0 : g->slow ? g->settings.slow_scale : 1;
+  memcpy(g->last, in->position, sizeof g->last);
+  g->reset_was = in->reset;
+}
+
+void guard_step(guard *g, const guard_input *in, guard_output *out) {
+  const bool reset = in->reset && !g->reset_was;
+  *out = (guard_output){.state = GUARD_FREE, .nearest = {SEPAX_NO_PAIR, SEPAX_NO_PAIR}};
+  const guard_reason wrong = failure(g, in);
+  if (wrong == GUARD_NOT_HOMED) {
+    out->state = g->latched ? GUARD_STOPPED : GUARD_BLIND;
+    out->jog_stop = true;
+  } else if (wrong != GUARD_NO_REASON) {
+    latch(g, wrong);
+    out->jog_stop = true;
+  } else if (g->latched) {
+    hold(g, machine_of(g, in->tool), in, reset, out);
+  } else {
+    run(g, machine_of(g, in->tool), in, out);
+    out->jog_stop = g->latched;
+  }
+  g->seen = in->homed && wrong != GUARD_NOT_A_NUMBER;
+  finish(g, in, out);
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* machine.h - what the guard keeps: the machine of each tool, and its own state. */
+#ifndef GUARD_MACHINE_H
+#define GUARD_MACHINE_H
+
+#include "guard.h"
+
+typedef struct {
+  long tool;
+  bool read;
+  sepax_robot_machine robot;
+  sepax_watch *watch;
+  size_t joint[GUARD_JOINTS_MOST]; /* of the mechanism */
+  double scale[GUARD_JOINTS_MOST]; /* metres or radians in the control's unit */
+  double *value, *travel;          /* of each joint of the mechanism */
+  bool square;                     /* all its joints are linear and their axes at right angles */
+  double apart; /* any body may also move by this length in any direction, in metres */
+} guard_machine;
+
+struct guard {
+  guard_settings settings;
+  guard_machine tool[GUARD_TOOLS_MOST];
+  size_t tools;
+  bool seen;    /* a period before was homed: `last` is valid */
+  bool latched; /* stopped until the reset */
+  bool slow;    /* in the slow zone */
+  bool rebase;  /* `kept` is set anew as soon as the joints rest */
+  bool reset_was;
+  double kept; /* while latched: jogs keep the bodies farther apart than this, in metres */
+  double last[GUARD_JOINTS_MOST];
+  guard_reason reason;
+};
+
+#endif
