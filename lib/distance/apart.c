@@ -12,18 +12,56 @@
 typedef struct {
   sepax_apart_result *result;
   sepax_front *front;
+  bool ties; /* a pair was beyond the limit by so little that only an exact test told */
 } request_of;
 
-static void consider(search *s, const uint32_t at[2], double least, double most) {
+/* Begin proofs by the direction of two triangles. True if it proves that these are beyond the
+ * limit. */
+static bool begin_proof(search *s, const uint32_t at[2]) {
+  double nearest[2][3];
+  twofold_vector way;
+  s->work += WORK_EXACT;
+  sepax__distance_and_way(s->body[0]->triangle[sepax__place_at(s->body[0], at[0])], s->at.pose[0],
+                          s->body[1]->triangle[sepax__place_at(s->body[1], at[1])], s->at.pose[1],
+                          nearest, &way);
+  return sepax__proof_begin(s, &way, at, twofold_of(s->limit));
+}
+
+/* Are two triangles beyond the limit, by a direction? Parallel faces have many pairs that doubles
+ * do not tell from the limit. The direction of one of them does for the others, so it is sought
+ * once a pair was beyond the limit by little. */
+static bool is_beyond(search *s, const uint32_t at[2]) {
   const request_of *asked = s->context;
+  const uint32_t child[2] = {child_at(s->body[0], at[0]), child_at(s->body[1], at[1])};
+  hindrance by;
+  if (s->proof.possible && sepax__prove_apart(s, child, &by)) {
+    return true;
+  }
+  if (!asked->ties) {
+    return false;
+  }
+  const direction_proof before = s->proof;
+  if (begin_proof(s, at)) {
+    return true;
+  }
+  s->proof = before;
+  return false;
+}
+
+static void consider(search *s, const uint32_t at[2], double least, double most) {
+  request_of *asked = s->context;
   sepax_apart_result *result = asked->result;
   const uint32_t place[2] = {sepax__place_at(s->body[0], at[0]),
                              sepax__place_at(s->body[1], at[1])};
   (void)least;
   if (!(most <= s->limit)) {
+    if (is_beyond(s, at)) {
+      return;
+    }
     s->work += WORK_EXACT;
     if (sepax__distance_compare(s->body[0]->triangle[place[0]], s->at.pose[0],
                                 s->body[1]->triangle[place[1]], s->at.pose[1], s->limit) > 0) {
+      asked->ties = true;
       return;
     }
   }
@@ -38,16 +76,9 @@ static void consider(search *s, const uint32_t at[2], double least, double most)
 }
 
 bool sepax__prove_beyond_limit(search *s) {
-  const uint32_t *at = s->nearest.at;
-  double nearest[2][3];
-  twofold_vector way;
-  s->work += WORK_EXACT;
-  sepax__distance_and_way(s->body[0]->triangle[sepax__place_at(s->body[0], at[0])], s->at.pose[0],
-                          s->body[1]->triangle[sepax__place_at(s->body[1], at[1])], s->at.pose[1],
-                          nearest, &way);
   static const uint32_t roots[2] = {0, 0};
   hindrance by;
-  return sepax__proof_begin(s, &way, at, twofold_of(s->limit)) && sepax__prove_apart(s, roots, &by);
+  return begin_proof(s, s->nearest.at) && sepax__prove_apart(s, roots, &by);
 }
 
 /* A search of the trees for two triangles that are within the distance. */
@@ -129,7 +160,7 @@ bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sep
       !sepax__distance_valid(distance, error) || !sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  request_of asked = {result, r.front};
+  request_of asked = {result, r.front, false};
   search s = {.body = {a, b},
               .take = consider,
               .prove = sepax__prove_beyond_limit,

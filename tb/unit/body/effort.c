@@ -165,3 +165,22 @@ CASE(effort_in_contact) {
     sepax_body_free(body[n]);
   }
 }
+
+/* Parallel faces on three sides that are farther apart than asked by a unit in the last place: a
+ * direction of each does for all its triangles. The bound is 5 % above what the search takes. */
+CASE(effort_at_the_limit) {
+  sepax_body *const b = plates(40, 3);
+  const double limit = 0.04;
+  const double way = nextafter(limit, 1);
+  const sepax_pose pose = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {way, way, way}};
+  const sepax_apart_request request = {.size = sizeof request, .simd = SEPAX_SIMD_PORTABLE};
+  sepax_apart_result found;
+  assert_works(sepax_bodies_apart(b, NULL, b, &pose, limit, &request, &found, &fault));
+  assert_int_equal(found.verdict, SEPAX_APART);
+  if (found.work > 6460) {
+    fail_msg("%lu units of work, not 6460 or less", (unsigned long)found.work);
+  }
+  assert_works(sepax_bodies_apart(b, NULL, b, &pose, way, &request, &found, &fault));
+  assert_int_equal(found.verdict, SEPAX_NEAR);
+  sepax_body_free(b);
+}
