@@ -85,8 +85,8 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
-              compare-meshes coverage distances driver engine-sweep exhaustive fuzz hard impeller \
-              machine multivt mutation mutation-c netlist-sweep packages path-campaign \
+              compare-meshes coverage distances driver engine-sweep exhaustive fuzz guard hard \
+              impeller machine multivt mutation mutation-c netlist-sweep packages path-campaign \
               posed-pairs proofs sanitize scene slurm static tree-campaign tree-fuzz tree-scene \
               tree-sweep verify
 
@@ -325,6 +325,9 @@ experiment-tree-campaign: $(SEPAX) $(CLAIMS)
 experiment-path-campaign: $(SEPAX) $(LIB) $(BUILD)/sepax-certificate-check
 	@scripts/experiments/paths $(BUILD)/path-campaign $(if $(call given,COUNT),$(COUNT),100) \
 	  $(or $(GRAZES),10) $(SEED)
+
+experiment-guard: $(SEPAX)
+	@tb/guard/crashes
 
 experiment-impeller: $(SEPAX)
 	@scripts/experiments/impeller $(BUILD)/impeller $(or $(CELLS),0.25 0.2 0.1)
