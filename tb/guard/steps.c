@@ -3,7 +3,7 @@
  * after `reaction` periods, until then the machine accelerates towards the bodies, and it brakes
  * with no more than `brake` of the acceleration while its path turns. Prints how near it came.
  *   steps MACHINE.urdf SEED RUNS: exit status 1 if it came within the clearance, or never near */
-#include "guard.h"
+#include "../../examples/linuxcnc/guard.h"
 
 #include <math.h>
 #include <stdio.h>
