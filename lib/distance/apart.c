@@ -34,6 +34,9 @@ static bool is_beyond(search *s, const uint32_t at[2]) {
   const request_of *asked = s->context;
   const uint32_t child[2] = {child_at(s->body[0], at[0]), child_at(s->body[1], at[1])};
   hindrance by;
+  if (s->work_most > 0 && s->work >= s->work_most) { /* no more than an exact test */
+    return false;
+  }
   if (s->proof.possible && sepax__prove_apart(s, child, &by)) {
     return true;
   }
