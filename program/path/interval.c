@@ -176,15 +176,25 @@ static bool narrow(path_asking *a, sepax_error *error) {
  * as some tens of queries, so it is for bodies that slide along each other. */
 enum { SWEEP_WORK = 4096, PAUSE_MOST = 63, SWEEP_FROM = 4 };
 
-/* The pose of the first body as seen from the second. */
-static sepax_pose seen(const path_asking *a, const double *value) {
+/* The pose of one body as seen from the other. */
+static sepax_pose seen(const path_asking *a, int moving, const double *value) {
   sepax_pose pose[2];
   sepax_chain_poses(&a->pair->chain, &a->scene->robot.mechanism, value, pose);
-  return sepax__pose_seen(&pose[1], &pose[0]);
+  return sepax__pose_seen(&pose[!moving], &pose[moving]);
+}
+
+static double size_of(const path_body *b) {
+  double size = 0;
+  for (int i = 0; i < 3; i++) {
+    size = fmax(size, b->most[i] - b->least[i]);
+  }
+  return size;
 }
 
 /* Do the bodies slide along each other far enough apart? The way of each point is straight but for
- * its bend, so what counts is how near the hulls of the ways come (lib/distance/swept.c). */
+ * its bend, so what counts is how near the hulls of the ways come (lib/distance/swept.c). The
+ * smaller body is taken as the one that moves, because the hulls of triangles that turn are wide.
+ */
 static bool slides_apart(path_asking *a) {
   double left = a->least - clearance_of(a);
   double box[2][3];
@@ -195,17 +205,20 @@ static bool slides_apart(path_asking *a) {
     a->waits--;
     return false;
   }
-  memcpy(box[0], a->body[0]->least, sizeof box[0]);
-  memcpy(box[1], a->body[0]->most, sizeof box[1]);
-  double bend = sepax__chain_bend(&a->pair->chain, &a->scene->robot.mechanism, a->value[0],
-                                  a->value[1], a->value[2], box);
+  int moving = size_of(a->body[1]) < size_of(a->body[0]);
+  memcpy(box[0], a->body[moving]->least, sizeof box[0]);
+  memcpy(box[1], a->body[moving]->most, sizeof box[1]);
+  double bend =
+      sepax__chain_bend(moving == 0 ? &a->pair->chain : &a->back, &a->scene->robot.mechanism,
+                        a->value[0], a->value[1], a->value[2], box);
   if (!(bend < left / 2)) {
     return false;
   }
-  sepax_pose from = seen(a, a->value[0]);
-  sepax_pose to = seen(a, a->value[2]);
+  sepax_pose from = seen(a, moving, a->value[0]);
+  sepax_pose to = seen(a, moving, a->value[2]);
   double need = (clearance_of(a) + bend) * (1 + 0x1p-40);
-  bool yes = sepax__swept_apart(a->body[0]->body, &from, &to, a->body[1]->body, need, SWEEP_WORK);
+  bool yes = sepax__swept_apart(a->body[moving]->body, &from, &to, a->body[!moving]->body, need,
+                                SWEEP_WORK);
   a->pause = yes ? 0 : a->pause < PAUSE_MOST ? 2 * a->pause + 1 : PAUSE_MOST;
   a->waits = a->pause;
   return yes;
