@@ -2,7 +2,10 @@
 /* agree.c - whether the URDF moves as the kinematics of the control say. With the tool center point
  * in force, the nose of the spindle, without a tool, is where the axes are, as seen from the table,
  * however the rotary axes are turned. So the difference of both must be the same everywhere. A
- * pivot, an offset or a direction of the URDF that is not that of the control shows here. */
+ * pivot, an offset or a direction of the URDF that is not that of the control shows here.
+ *
+ * If a program never applies the length of a tool, then the control may have been set up for the
+ * tip instead: a point some way below the nose does as well. The output names it. */
 #include "mechanism/steps.h"
 #include "nc/kinematics.h"
 #include "path/program.h"
@@ -43,40 +46,87 @@ static void find_values(const path_scene *scene, const nc_kinematics *k, const n
   sepax_mechanism_follow(&scene->robot.mechanism, value);
 }
 
-/* How far the nose is off where the axes are, as seen from a link, at most. */
-static bool find_off(const path_scene *scene, const nc_kinematics *k, size_t link, double *value,
-                     double *off, sepax_error *error) {
+/* The nose and the direction of the tool at each place, as seen from a link; the nose is counted
+ * from where the axes are. */
+typedef struct {
+  double nose[PLACES][3], along[PLACES][3];
+} views;
+
+static bool look(const path_scene *scene, const nc_kinematics *k, size_t link, double *value,
+                 views *v, sepax_error *error) {
   const sepax_mechanism *m = &scene->robot.mechanism;
   sepax_chain chain;
-  double first[3] = {0};
-  *off = 0;
   if (!sepax_chain_find(&chain, m, scene->tool_link, link, error)) {
     return false;
   }
   for (size_t n = 0; n < PLACES; n++) {
     nc_jet axis[NC_AXES];
     sepax_pose pose[2];
-    double sum = 0;
     choose(n, axis);
     find_values(scene, k, axis, value);
     sepax_chain_poses(&chain, m, value, pose);
-    const sepax_pose nose = sepax__pose_seen(&pose[1], &pose[0]);
+    const sepax_pose tool = sepax__pose_seen(&pose[1], &pose[0]);
     for (int i = 0; i < 3; i++) {
-      double x = nose.translation[i] - axis[i].v.lo * 1e-3;
-      first[i] = n == 0 ? x : first[i];
-      sum += (x - first[i]) * (x - first[i]);
+      v->nose[n][i] = tool.translation[i] - axis[i].v.lo * 1e-3;
+      v->along[n][i] = -tool.rotation[i][2];
     }
-    *off = fmax(*off, sqrt(sum));
   }
   sepax_chain_free(&chain);
   return true;
+}
+
+/* How far the point at `length` below the nose leaves its first place. */
+static double off_at(const views *v, double length) {
+  double most = 0;
+  for (size_t n = 1; n < PLACES; n++) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+      double x = v->nose[n][i] - v->nose[0][i] + length * (v->along[n][i] - v->along[0][i]);
+      sum += x * x;
+    }
+    most = fmax(most, sqrt(sum));
+  }
+  return most;
+}
+
+/* The length for which the point leaves its first place least, in the sum of squares. */
+static double best_length(const views *v) {
+  double over = 0;
+  double under = 0;
+  for (size_t n = 1; n < PLACES; n++) {
+    for (int i = 0; i < 3; i++) {
+      double e = v->along[n][i] - v->along[0][i];
+      over -= e * (v->nose[n][i] - v->nose[0][i]);
+      under += e * e;
+    }
+  }
+  return under > 1e-6 ? over / under : 0;
+}
+
+/* Does the program ever apply the length of a tool? */
+static bool applies_lengths(const nc_program *p) {
+  for (size_t n = 0; n < p->records; n++) {
+    if (p->record[n].action == NC_DO_LENGTH && p->record[n].axis[NC_Z] != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static bool refuse(const path_scene *scene, const path_question *q, sepax_error *error) {
+  const path_agreement *best = &scene->agreement;
+  return sepax_fail(
+      error, SEPAX_ERROR_ARGUMENT,
+      "%.200s: does not move as %.60s says: the nose of the spindle leaves the place of the axes "
+      "by %.3g mm, as seen from link %.60s; mend pivots, offsets or directions in one of the two",
+      q->urdf, scene->nc.program.machine[0], best->off * 1e3,
+      scene->robot.mechanism.link[best->link].name);
 }
 
 bool path_program_agrees(path_scene *scene, const path_question *q, sepax_error *error) {
   nc_kinematics k;
   const sepax_mechanism *m = &scene->robot.mechanism;
   path_agreement *best = &scene->agreement;
-  *best = (path_agreement){.link = SIZE_MAX, .off = INFINITY};
   if (scene->tool_link == SIZE_MAX) {
     return true;
   }
@@ -91,21 +141,18 @@ bool path_program_agrees(path_scene *scene, const path_question *q, sepax_error 
   if (value == NULL) {
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu joints", m->joints);
   }
+  bool nose_only = applies_lengths(&scene->nc.program);
   bool ok = true;
+  best->off = INFINITY;
   for (size_t n = 0; n < m->links && ok; n++) {
-    double off = 0;
-    ok = find_off(scene, &k, n, value, &off, error);
+    views v;
+    ok = look(scene, &k, n, value, &v, error);
+    double length = !ok || nose_only ? 0 : best_length(&v);
+    double off = ok ? off_at(&v, length) : INFINITY;
     if (off < best->off) {
-      *best = (path_agreement){n, off};
+      *best = (path_agreement){n, off, length};
     }
   }
   free(value);
-  if (ok && best->off > off_most) {
-    return sepax_fail(
-        error, SEPAX_ERROR_ARGUMENT,
-        "%.200s: does not move as %.60s says: the nose of the spindle leaves the place of the axes "
-        "by %.3g mm, as seen from link %.60s; mend pivots, offsets or directions in one of the two",
-        q->urdf, scene->nc.program.machine[0], best->off * 1e3, m->link[best->link].name);
-  }
-  return ok;
+  return ok && (best->off <= off_most || refuse(scene, q, error));
 }

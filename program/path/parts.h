@@ -188,6 +188,7 @@ typedef struct {
 typedef struct {
   size_t link; /* SIZE_MAX: not asked */
   double off;
+  double length; /* metres: not the nose, but the point so far below it */
 } path_agreement;
 
 typedef struct {

@@ -207,6 +207,10 @@ static void print_kinematics(const path_scene *scene) {
   if (scene->agreement.link != SIZE_MAX) {
     printf("; the URDF agrees within %.1g mm, by link %.60s", path_mm(scene->agreement.off),
            scene->robot.mechanism.link[scene->agreement.link].name);
+    if (fabs(scene->agreement.length) > 1e-6) {
+      printf(", for the point %.6g mm below the nose of the spindle",
+             path_mm(scene->agreement.length));
+    }
   }
   putchar('\n');
 }
