@@ -4,6 +4,11 @@
 
 #include "sepax_registers.h"
 
+/* Both kinds of engines have registers of these names, at other addresses. */
+#if SEPAX_IDENTITY != 0x53505841u
+#error "registers of another engine: compile with the sepax_registers.h of your design"
+#endif
+
 const char *sepax_status_text(sepax_status status) {
   static const char *const text[] = {"done",
                                      "no engine there",
