@@ -5,9 +5,8 @@
 #include "sepax_registers.h"
 
 /* Both kinds of engines have registers of these names, at other addresses. */
-#if SEPAX_IDENTITY != 0x53505854u
-#error "registers of another engine: compile with the sepax_registers.h of your design"
-#endif
+_Static_assert(SEPAX_IDENTITY == 0x53505854u,
+               "registers of another engine: compile with the sepax_registers.h of your design");
 
 const char *sepax_device_text(sepax_device_status status) {
   static const char *const text[] = {"done", "no tree engine there", "bus error",
