@@ -19,12 +19,17 @@ static bool (*const generators[SEPAX_ARCH_COUNT])(emitter *e) = {
     [SEPAX_ARCH_CONFERENCE] = gen_conference,
 };
 
+bool generate_check(const sepax_config *config, sepax_error *error) {
+  return generators[config->arch] != NULL ||
+         sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                    "arch: '%s' has no hardware; give --arch=exact, paper or conference",
+                    sepax_arch_name(config->arch));
+}
+
 bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
                     sepax_error *error) {
-  if (generators[design->config.arch] == NULL) {
-    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
-                      "arch: '%s' has no hardware; give --arch=exact, paper or conference",
-                      sepax_arch_name(design->config.arch));
+  if (!generate_check(&design->config, error)) {
+    return false;
   }
   const char *prefix = how->prefix != NULL ? how->prefix : PREFIX_STANDARD;
   if (!prefix_check(prefix, error)) {

@@ -24,4 +24,7 @@ typedef struct {
 bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
                     sepax_error *error);
 
+/* Fails if the architecture of the configuration has no hardware. */
+bool generate_check(const sepax_config *config, sepax_error *error);
+
 #endif

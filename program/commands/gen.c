@@ -2,6 +2,7 @@
 /* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli/cli.h"
 #include "command_table.h"
+#include "commands/estimate_print.h"
 #include "generate.h"
 
 #include <stdio.h>
@@ -10,9 +11,10 @@ typedef struct {
   sepax_config config;
   const char *folder;
   sepax_output how;
+  bool estimate, json;
 } gen_options;
 
-enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE };
+enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE, OPTION_ESTIMATE, OPTION_JSON };
 
 static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
@@ -22,7 +24,25 @@ static const struct argp_option options[] = {
      0},
     {"absolute", OPTION_ABSOLUTE, NULL, 0,
      "write also NAME_absolute.f, the list of the modules' files with absolute paths", 0},
+    {"estimate", OPTION_ESTIMATE, NULL, 0,
+     "write nothing, but print latency, pairs a second, and an estimate of gates, flip-flops and "
+     "energy with the error of each",
+     0},
+    {"json", OPTION_JSON, NULL, 0, "print the estimate as JSON (needs --estimate)", 0},
     {0}};
+
+static void check(const gen_options *o, const struct argp_state *state) {
+  bool written = o->folder != NULL || o->how.prefix != NULL || o->how.absolute;
+  if (o->estimate && written) {
+    argp_error(state, "--estimate writes no Verilog; leave -o, --prefix and --absolute out");
+  }
+  if (o->json && !o->estimate) {
+    argp_error(state, "--json needs --estimate");
+  }
+  if (!o->estimate && o->folder == NULL) {
+    argp_error(state, "give the folder for the Verilog with -o DIR");
+  }
+}
 
 static error_t parse(int key, char *text, struct argp_state *state) {
   gen_options *o = state->input;
@@ -39,13 +59,17 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case OPTION_ABSOLUTE:
     o->how.absolute = true;
     return 0;
+  case OPTION_ESTIMATE:
+    o->estimate = true;
+    return 0;
+  case OPTION_JSON:
+    o->json = true;
+    return 0;
   case ARGP_KEY_ARG:
     argp_error(state, "unexpected argument '%s'", text);
     return 0;
   case ARGP_KEY_END:
-    if (o->folder == NULL) {
-      argp_error(state, "give the folder for the Verilog with -o DIR");
-    }
+    check(o, state);
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -71,8 +95,14 @@ int cli_gen(int argc, char **argv) {
   cli_parse(&argp, argc, argv, &o);
   sepax_error error = {0};
   sepax_design design;
-  if (!sepax_design_init(&design, &o.config, &error) ||
-      !sepax_generate(&design, o.folder, &o.how, &error)) {
+  if (sepax_design_init(&design, &o.config, &error) && o.estimate) {
+    sepax_estimate estimate;
+    if (sepax_estimate_design(&design, &estimate, &error)) {
+      (o.json ? estimate_print_json : estimate_print)(&design, &estimate);
+      return EXIT_SUCCESS;
+    }
+  }
+  if (error.code != SEPAX_OK || !sepax_generate(&design, o.folder, &o.how, &error)) {
     return cli_fail("sepax gen", &error);
   }
   char text[SEPAX_CONFIG_TEXT];

@@ -113,35 +113,47 @@ static int multiplexers_of(const exact_plan *p, const graph_kind *k, int unit) {
   return bits;
 }
 
+/* Count a unit of a kind, and the registers that its results wait in. */
+static void add_unit(exact_parts *parts, const exact_plan *p, const graph_kind *k, int unit) {
+  const datapath *d = &p->datapath;
+  const schedule_producer *of = &d->schedule.producer[k->producer[unit]];
+  const arith_plan *multiplier = multiplier_of(p, k);
+  int bits = bits_of(p, k);
+  parts->full_adders += adders_in(p, k);
+  parts->additions += additions_in(p, k);
+  parts->multiplexers += d->schedule.ii > 1 ? multiplexers_of(p, k, unit) : 0;
+  parts->rows += multiplier != NULL ? multiplier->rows * multiplier->a_w : 0;
+  parts->registers += registers_in(p, k) + of->line * bits;
+  parts->holding += schedule_holds(&d->schedule, of) * bits;
+}
+
+exact_parts exact_parts_of(const exact_plan *p) {
+  const datapath *d = &p->datapath;
+  exact_parts parts = {.coordinates = coordinates_count(&d->coordinates) * p->design->core_word,
+                       .control = exact_control_count(p)};
+  for (const graph_kind *k = d->graph.kind; k < d->graph.kind + d->graph.kinds; k++) {
+    for (int unit = 0; unit < k->units; unit++) {
+      if (k->count[unit] > 0) {
+        add_unit(&parts, p, k, unit);
+      }
+    }
+  }
+  return parts;
+}
+
 /* Thirds of a gate equivalent, by Nangate45: a full adder, a bit of a fast addition, an input of a
  * multiplexer. */
 enum { FULL_ADDER = 16, FAST_ADDER = 22, MULTIPLEXER = 5 };
 
 exact_counts exact_count(const exact_plan *p) {
-  const datapath *d = &p->datapath;
-  exact_counts c = {.latency = exact_latency(p)};
-  int plain = 0;
-  for (const graph_kind *k = d->graph.kind; k < d->graph.kind + d->graph.kinds; k++) {
-    for (int unit = 0; unit < k->units; unit++) {
-      if (k->count[unit] > 0) {
-        plain += registers_in(p, k);
-        c.gates += p->delay->family
-                       ? 0
-                       : FULL_ADDER * adders_in(p, k) +
-                             (p->ripple ? FULL_ADDER : FAST_ADDER) * additions_in(p, k);
-        c.gates +=
-            d->schedule.ii > 1 && !p->delay->family ? MULTIPLEXER * multiplexers_of(p, k, unit) : 0;
-        const schedule_producer *t = &d->schedule.producer[k->producer[unit]];
-        int enabled = schedule_holds(&d->schedule, t) * bits_of(p, k);
-        plain += t->line * bits_of(p, k);
-        c.flip_flops += enabled;
-        c.gates += p->delay->enabled_flip_flop * enabled;
-      }
-    }
-  }
-  int places = coordinates_count(&d->coordinates) * p->design->core_word;
-  c.flip_flops += plain + places + exact_control_count(p);
-  c.gates +=
-      p->delay->flip_flop * (plain + exact_control_count(p)) + p->delay->enabled_flip_flop * places;
-  return c;
+  const exact_parts n = exact_parts_of(p);
+  const int plain = n.registers + n.control;
+  const int enabled = n.holding + n.coordinates;
+  const int logic = FULL_ADDER * n.full_adders +
+                    (p->ripple ? FULL_ADDER : FAST_ADDER) * n.additions +
+                    MULTIPLEXER * n.multiplexers;
+  return (exact_counts){.latency = exact_latency(p),
+                        .flip_flops = plain + enabled,
+                        .gates = (p->delay->family ? 0 : logic) + p->delay->flip_flop * plain +
+                                 p->delay->enabled_flip_flop * enabled};
 }

@@ -116,6 +116,16 @@ typedef struct {
 } exact_counts;
 exact_counts exact_count(const exact_plan *p);
 
+/* What a plan consists of, in bits: full adders inside the units; their additions; inputs of
+ * multiplexers beyond the first; rows of partial products; flip-flops that load in each cycle, of
+ * units, delay lines and control; flip-flops with an enable, of holding registers and of
+ * coordinates. */
+typedef struct {
+  int full_adders, additions, multiplexers, rows;
+  int registers, control, holding, coordinates;
+} exact_parts;
+exact_parts exact_parts_of(const exact_plan *p);
+
 /* Flip-flops of sepax_narrow and its reorder buffer. */
 int exact_control_count(const exact_plan *p);
 
