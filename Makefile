@@ -85,10 +85,10 @@ include $(addprefix scripts/make/,install.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
-              compare-meshes coverage distances driver engine-sweep exhaustive fuzz guard hard \
-              impeller machine multivt mutation mutation-c netlist-sweep packages path-campaign \
-              posed-pairs proofs sanitize scene slurm static tree-campaign tree-fuzz tree-scene \
-              tree-sweep verify
+              compare-meshes coverage distances driver engine-sweep estimate exhaustive fuzz \
+              guard hard impeller machine multivt mutation mutation-c netlist-sweep packages \
+              path-campaign posed-pairs proofs sanitize scene slurm static tree-campaign \
+              tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -254,6 +254,11 @@ experiment-area-sweep: $(SEPAX) $(BUILD)/liberty
 experiment-calibrate: $(SEPAX) $(BUILD)/liberty
 	@$(EXPERIMENT)/calibrate $(OVER) $(if $(CLOCKS),-c "$(CLOCKS)") \
 	  $(if $(RANDOM),-r $(RANDOM) -n $(SEED)) $(BUILD)/calibrate
+
+experiment-estimate: $(SEPAX) $(BUILD)/liberty $(BUILD)/power $(SAMPLES)
+	@$(EXPERIMENT)/estimate map $(or $(RANDOM),40) $(if $(call given,SEED),$(SEED),2) \
+	  $(BUILD)/estimate
+	@$(EXPERIMENT)/estimate check -o $(BUILD)/estimate/estimate.json $(BUILD)/estimate
 
 experiment-scene: $(SEPAX) $(BUILD)/liberty
 	@PERIOD=$(PERIOD) $(EXPERIMENT)/scene $(BUILD)/scene

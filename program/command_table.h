@@ -7,6 +7,7 @@
  * int cli_gen(int argc, char **argv), where argv[0] is "sepax gen"; it returns the exit status. */
 #define COMMANDS(ROW)                                                            \
   ROW(gen, "generate the Verilog of a design")                                   \
+  ROW(explore, "write a page with all designs of a word length, to choose one")  \
   ROW(size, "find the smallest design that is fast enough for a scene")          \
   ROW(check, "tell whether two bodies collide, and which triangles do")          \
   ROW(path, "tell which bodies of a machine collide on a path")                  \

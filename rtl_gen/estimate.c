@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The terms, and the GE and the flip-flops that a fit gives to each of them
  * (scripts/experiments/estimate). */
@@ -33,6 +34,8 @@ enum {
   OBJECT_WORD,
   OBJECT,
   LANES,
+  LANES_WORD,
+  SHARED_QUEUE,
   TREE_WORD,
   TREE,
   STREAM_WORD,
@@ -45,30 +48,32 @@ static const struct {
   const char *name;
   double gates, flip_flops;
 } terms[TERMS] = {
-    [FULL_ADDERS] = {"full_adders", -3.2195, 0},
-    [ADDITIONS] = {"additions", 6.5285, 0},
-    [RIPPLES] = {"ripples", 5.4444, 0},
-    [MULTIPLEXERS] = {"multiplexers", 3.0448, 0},
-    [ROWS] = {"rows", 12.36, 0},
-    [REGISTERS] = {"registers", 5.772, 1},
-    [CONTROL] = {"control", -14.676, 1.4318},
-    [HOLDING] = {"holding", 6.6151, 1},
-    [COORDINATES] = {"coordinates", 18.242, 1},
-    [WORD] = {"word", -297.36, 0},
-    [CORES] = {"cores", 1654.9, -15.755},
-    [AABB] = {"aabb", 385.14, 18.502},
-    [EXTENTS] = {"extents", 269.49, 19.384},
-    [LIMITS] = {"limits", 577.07, 4.7875},
-    [BANDS] = {"bands", 347.68, -11.638},
-    [OBJECT_WORD] = {"object_word", 625.62, 33.229},
-    [OBJECT] = {"object", 9220.1, 993.75},
-    [LANES] = {"lanes", 108.67, 8.5096},
-    [TREE_WORD] = {"tree_word", 1780, 0},
-    [TREE] = {"tree", 76700, 0},
-    [STREAM_WORD] = {"stream_word", 0, 0},
-    [STREAM] = {"stream", 0, 0},
-    [READY] = {"ready", 172.13, 18.75},
-    [TIGHT] = {"tight", 81.193, 0},
+    [FULL_ADDERS] = {"full_adders", -4.4343, 0},
+    [ADDITIONS] = {"additions", 6.3325, 0},
+    [RIPPLES] = {"ripples", 5.1468, 0},
+    [MULTIPLEXERS] = {"multiplexers", 2.7998, 0},
+    [ROWS] = {"rows", 13.068, 0},
+    [REGISTERS] = {"registers", 4.3656, 1},
+    [CONTROL] = {"control", 63.471, 1.5063},
+    [HOLDING] = {"holding", 5.5085, 1},
+    [COORDINATES] = {"coordinates", 13.954, 1},
+    [WORD] = {"word", 101.07, 0},
+    [CORES] = {"cores", -1815.5, -18.559},
+    [AABB] = {"aabb", 366.85, 18.399},
+    [EXTENTS] = {"extents", 227.63, 18.517},
+    [LIMITS] = {"limits", 7.1529, 0.087606},
+    [BANDS] = {"bands", 13.374, -1.8325},
+    [OBJECT_WORD] = {"object_word", 851.78, 64.474},
+    [OBJECT] = {"object", 7668.2, 797.78},
+    [LANES] = {"lanes", 223.6, 34.952},
+    [LANES_WORD] = {"lanes_word", 74.201, 2.9975},
+    [SHARED_QUEUE] = {"shared_queue", 274.47, 75.389},
+    [TREE_WORD] = {"tree_word", 2012.4, 51.487},
+    [TREE] = {"tree", 75084, 5311.5},
+    [STREAM_WORD] = {"stream_word", 200.46, 17.082},
+    [STREAM] = {"stream", 2218.6, 181.6},
+    [READY] = {"ready", 173.48, 18.076},
+    [TIGHT] = {"tight", -153.06, 0},
 };
 static const double gates_error = 0.08;
 static const double flip_flops_error = 0.05;
@@ -94,6 +99,21 @@ static int sums_of_limits(const sepax_design *d) {
   return sums;
 }
 
+/* Bits of the components in all units that compute limits, and of the limits: both in *bits. */
+static void count_limits(const exact_plan *p, double *components, double *limits) {
+  const sepax_format *f = p->design->exact_format;
+  for (int n = 0; n < p->datapath.graph.kinds; n++) {
+    const graph_kind *k = &p->datapath.graph.kind[n];
+    if (strcmp(k->row.symbol, "le") == 0) {
+      *components += k->units * p->design->core_word;
+      *limits += k->units * f[SEPAX_X_EDGE_LIMIT].width;
+    } else if (k->row.module != NULL && strstr(k->row.module, "_limit") != NULL) {
+      *components += k->units * f[k->row.symbol[1] == 'o' ? SEPAX_X_ORIENT2D : SEPAX_X_CROSS].width;
+      *limits += k->units * f[SEPAX_X_LIMIT].width;
+    }
+  }
+}
+
 static void count_core(double term[], const exact_plan *p) {
   const exact_parts parts = exact_parts_of(p);
   const sepax_design *d = p->design;
@@ -110,8 +130,8 @@ static void count_core(double term[], const exact_plan *p) {
   term[CORES] = 1;
   term[AABB] = d->aabb_test ? d->config.word : 0;
   term[EXTENTS] = d->config.extent_a > 0 ? d->config.word : 0;
-  term[LIMITS] = (double)w * sums_of_limits(d) / d->config.ii;
-  term[BANDS] = (double)w * d->limits;
+  count_limits(p, &term[BANDS], &term[LIMITS]);
+  term[LIMITS] *= sums_of_limits(d);
   for (int i = 0; i <= BANDS; i++) {
     term[i] *= d->config.cores;
   }
@@ -122,7 +142,9 @@ static void count_around(double term[], const sepax_config *c) {
   const int w = c->word;
   term[OBJECT_WORD] = engine == SEPAX_ENGINE_OBJECT ? w : 0;
   term[OBJECT] = engine == SEPAX_ENGINE_OBJECT;
-  term[LANES] = engine == SEPAX_ENGINE_OBJECT ? w * c->lanes : 0;
+  term[LANES] = c->lanes;
+  term[LANES_WORD] = w * c->lanes;
+  term[SHARED_QUEUE] = w * (c->cores - 1);
   term[TREE_WORD] = engine == SEPAX_ENGINE_TREE ? w : 0;
   term[TREE] = engine == SEPAX_ENGINE_TREE;
   term[STREAM_WORD] = engine == SEPAX_ENGINE_STREAM ? w : 0;

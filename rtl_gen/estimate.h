@@ -9,7 +9,7 @@
 enum { ESTIMATE_SEPARATED, ESTIMATE_COLLIDING, ESTIMATE_COPLANAR, ESTIMATE_PAIRS };
 
 /* The terms of the formulas: counts of the design that a fit weighs. */
-enum { ESTIMATE_TERMS = 24 };
+enum { ESTIMATE_TERMS = 28 };
 
 /* All of one design. A value x with an error stands for the interval from x - x_error to
  * x + x_error. */

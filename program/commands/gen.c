@@ -2,7 +2,7 @@
 /* gen.c - sepax gen: configuration -> Verilog folder. */
 #include "cli/cli.h"
 #include "command_table.h"
-#include "commands/estimate_print.h"
+#include "commands/estimates.h"
 #include "generate.h"
 
 #include <stdio.h>

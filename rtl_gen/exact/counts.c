@@ -39,6 +39,22 @@ static const arith_plan *multiplier_of(const exact_plan *p, const graph_kind *k)
                                                    : NULL;
 }
 
+/* Flip-flops of a limit on an axis, sepax_limit, whose components have so many bits. */
+static int registers_in_limit(const exact_plan *p, int component) {
+  const exact_stages *s = &p->stages;
+  int limits = p->limits * p->design->exact_format[SEPAX_X_LIMIT].width;
+  int sums = (component + 2) * (1 + s->most) + component * (4 + 2 * s->most);
+  return sums + limits * (1 + 2 * s->total);
+}
+
+/* Of a limit on an edge, sepax_edge_limit, in one of its three projections. */
+static int registers_in_edge_limit(const exact_plan *p) {
+  int word = p->design->core_word;
+  int limits = p->limits * p->design->exact_format[SEPAX_X_EDGE_LIMIT].width;
+  return word + (word + 1) + (p->design->margin[1] > 1 ? word : 0) +
+         limits * (1 + 2 * p->stages.total);
+}
+
 /* Flip-flops inside a unit and at its output. */
 static int registers_in(const exact_plan *p, const graph_kind *k) {
   const exact_stages *s = &p->stages;
@@ -51,6 +67,13 @@ static int registers_in(const exact_plan *p, const graph_kind *k) {
   if (multiplier != NULL) {
     bool sums = multiplier == &s->trapezoid && s->trapezoid_sums;
     return bits + multiplier->registers + (sums ? 2 * f[SEPAX_X_SPAN].width : 0);
+  }
+  if (strcmp(k->row.symbol, "l") == 0 || strcmp(k->row.symbol, "lo") == 0) {
+    bool own = k->row.symbol[1] == 'o';
+    return registers_in_limit(p, f[own ? SEPAX_X_ORIENT2D : SEPAX_X_CROSS].width);
+  }
+  if (strcmp(k->row.symbol, "le") == 0) {
+    return registers_in_edge_limit(p);
   }
   if (strncmp(k->row.symbol, "zo", 2) == 0 && !p->running) {
     return bits * (1 + 2 * s->own_zsum);

@@ -86,6 +86,14 @@ $(BUILD)/obj/page.c: scripts/embed program/path/page.html
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
 
+# The page of sepax explore.
+EXPLORE_OBJ = $(BUILD)/obj/explore.o
+$(BUILD)/obj/explore.c: scripts/embed program/commands/explore.html
+	@mkdir -p $(@D)
+	@$(aside) scripts/embed -t explore_html program/commands/explore.html > $$new && $(in_place)
+$(EXPLORE_OBJ): $(BUILD)/obj/explore.c
+	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
+
 # The front end of NC programs as a C string: its files in the order in which they need each other.
 LINUXCNC_OBJ = $(BUILD)/obj/linuxcnc.o
 NC_PY  = $(addprefix program/nc/linuxcnc/,\
@@ -136,7 +144,8 @@ $(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
     $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
 $(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
 
-$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(LINUXCNC_OBJ) $(IO) $(LIB)
+$(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(EXPLORE_OBJ) $(LINUXCNC_OBJ) \
+          $(IO) $(LIB)
 $(BUILD)/bench: $(call object,tb/benchmark/verdicts.c) $(LIB)
 $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
@@ -185,7 +194,7 @@ $(BUILD)/unit/report/%: $(BUILD)/obj/tb/unit/report/%.o $(BUILD)/obj/tb/harness.
 $(BUILD)/unit/path/%: LIBS = -lcmocka -lgmp -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
 $(BUILD)/unit/path/%: $(BUILD)/obj/tb/unit/path/%.o $(BUILD)/obj/tb/harness.o $(ORACLE_OBJ) \
                       $(call object,$(filter-out program/main.c,$(CLI_SRC))) $(TEMPLATE_OBJ) \
-                      $(PAGE_OBJ) $(LINUXCNC_OBJ) $(IO) $(LIB)
+                      $(PAGE_OBJ) $(EXPLORE_OBJ) $(LINUXCNC_OBJ) $(IO) $(LIB)
 	$(link)
 
 $(BUILD)/unit/nc/%: LIBS = -lcmocka -lgmp

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* estimate_print.h - an estimate of a design (rtl_gen/estimate.h) as text and as JSON. */
-#ifndef SEPAX_COMMANDS_ESTIMATE_PRINT_H
-#define SEPAX_COMMANDS_ESTIMATE_PRINT_H
+/* estimates.h - an estimate of a design (rtl_gen/estimate.h) as text and as JSON. */
+#ifndef SEPAX_COMMANDS_ESTIMATES_H
+#define SEPAX_COMMANDS_ESTIMATES_H
 
 #include "estimate.h"
 

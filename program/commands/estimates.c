@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* estimate_print.c - see estimate_print.h. */
-#include "commands/estimate_print.h"
+/* estimates.c - see estimates.h. */
+#include "commands/estimates.h"
 
 #include "report/json.h"
 
