@@ -36,11 +36,15 @@ bool sepax_generate(sepax_design *design, const char *folder, const sepax_output
     return false;
   }
   const bool own = strcmp(prefix, PREFIX_STANDARD) != 0;
-  char command[SEPAX_CONFIG_TEXT + 64];
+  char command[SEPAX_CONFIG_TEXT + 96];
   char text[SEPAX_CONFIG_TEXT];
-  snprintf(command, sizeof command, "sepax gen %s%s%s%s",
+  char vectors[32] = "";
+  if (how->vectors != 0) {
+    snprintf(vectors, sizeof vectors, " --vectors=%d", how->vectors > 0 ? how->vectors : 0);
+  }
+  snprintf(command, sizeof command, "sepax gen %s%s%s%s%s",
            sepax_config_text(&design->config, text, sizeof text), own ? " --prefix=" : "",
-           own ? prefix : "", how->absolute ? " --absolute" : "");
+           own ? prefix : "", how->absolute ? " --absolute" : "", vectors);
   emitter e;
   emit_init(&e, design, command);
   e.prefix = prefix;
@@ -51,7 +55,7 @@ bool sepax_generate(sepax_design *design, const char *folder, const sepax_output
   if (ok) {
     emit_drop_unused(&e);
   }
-  ok = ok && gen_write(&e, folder, how->absolute, error);
+  ok = ok && gen_write(&e, folder, how, error);
   emit_free(&e);
   return ok;
 }

@@ -7,13 +7,8 @@
 #ifndef SEPAX_GENERATE_H
 #define SEPAX_GENERATE_H
 
+#include "files/how.h"
 #include "sepax_design.h"
-
-/* How a design is written. All zero: as usual. */
-typedef struct {
-  const char *prefix; /* of modules, files and macros, in place of sepax; NULL: sepax */
-  bool absolute;      /* also PREFIX_absolute.f, the list of modules with absolute paths */
-} sepax_output;
 
 /* Write the Verilog of the design into the folder, which is made if it is missing, and the files
  * that tell about the design (files/output.h lists them). Sets design->latency, in cycles, where

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* gen.c - sepax gen: configuration -> Verilog folder. */
+#include "bench/bench.h"
 #include "cli/cli.h"
 #include "command_table.h"
 #include "commands/estimates.h"
@@ -14,7 +15,7 @@ typedef struct {
   bool estimate, json;
 } gen_options;
 
-enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE, OPTION_ESTIMATE, OPTION_JSON };
+enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE, OPTION_VECTORS, OPTION_ESTIMATE, OPTION_JSON };
 
 static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
@@ -29,12 +30,16 @@ static const struct argp_option options[] = {
      "energy with the error of each",
      0},
     {"json", OPTION_JSON, NULL, 0, "print the estimate as JSON (needs --estimate)", 0},
+    {"vectors", OPTION_VECTORS, "N", 0,
+     "pairs in the test bench tb/NAME_tb.v, 0 ... 100000 (default 256; 0: no test bench)", 0},
     {0}};
 
 static void check(const gen_options *o, const struct argp_state *state) {
-  bool written = o->folder != NULL || o->how.prefix != NULL || o->how.absolute;
+  const sepax_output *how = &o->how;
+  bool written = o->folder != NULL || how->prefix != NULL || how->absolute || how->vectors != 0;
   if (o->estimate && written) {
-    argp_error(state, "--estimate writes no Verilog; leave -o, --prefix and --absolute out");
+    argp_error(state,
+               "--estimate writes no Verilog; leave -o, --prefix, --absolute and --vectors out");
   }
   if (o->json && !o->estimate) {
     argp_error(state, "--json needs --estimate");
@@ -65,6 +70,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case OPTION_JSON:
     o->json = true;
     return 0;
+  case OPTION_VECTORS: {
+    const uint64_t vectors = cli_count(state, "vectors", text, 0, BENCH_VECTORS_MOST);
+    o->how.vectors = vectors > 0 ? (int)vectors : -1;
+    return 0;
+  }
   case ARGP_KEY_ARG:
     argp_error(state, "unexpected argument '%s'", text);
     return 0;
@@ -87,7 +97,7 @@ int cli_gen(int argc, char **argv) {
       "sepax.json (parameters for test benches); sepax.sdc (clock constraints), and sepax.xdc if "
       "the target is a Xilinx FPGA; sepax.gtkw (ports for GTKWave). A design with an engine "
       "(--lanes, --tree) also has sepax_registers.h, .md and .rdl, which describe the registers of "
-      "the engine.",
+      "the engine. tb/sepax_tb.v is a test bench for any simulator.",
       children,
       NULL,
       NULL};

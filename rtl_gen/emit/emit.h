@@ -37,7 +37,7 @@ typedef struct {
 
 typedef struct emitter {
   sepax_design *design; /* NULL: modules by themselves. The generator sets its latency */
-  char command[512];    /* printed in every banner */
+  char command[640];    /* printed in every banner */
   const char *prefix;   /* of what is written, in place of sepax; here all names have sepax */
   emit_module **module;
   int modules;
@@ -62,6 +62,9 @@ void emit_drop_unused(emitter *e);
 
 /* Print one checked module, with names that begin with sepax_. */
 void emit_print(const emit_module *m, emit_text *out);
+
+/* Print who made a file, by which command, as comments that begin with `mark`. */
+void emit_origin(const emitter *e, const char *mark, emit_text *out);
 
 /* Keep an error, unless there is one already: of the emitter, or the refusal of a module. Both
  * return false. */

@@ -6,6 +6,7 @@
 #include "util/list.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -147,7 +148,8 @@ bool emit_template_text(emitter *e, const char *name, const char *text, const em
   return emit_works(e) && emit_check(m);
 }
 
-bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
+/* The file of this name; NULL, and the error is set, unless there is just one. */
+static const emit_template_file *find_file(emitter *e, const char *name) {
   const emit_template_file *found = NULL;
   int count = 0;
   for (const emit_template_file *file = emit_templates; file->path != NULL; file++) {
@@ -157,11 +159,33 @@ bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
       count++;
     }
   }
-  if (count == 1) {
-    return emit_template_text(e, name, found->text, holes);
+  if (count != 1) {
+    emit_fail(e, SEPAX_ERROR_ARGUMENT, "generator refuses %s: %s", name,
+              count == 0 ? "no such template" : "a template of several folders; say which");
+    return NULL;
   }
-  return emit_fail(e, SEPAX_ERROR_ARGUMENT, "generator refuses %s: %s", name,
-                   count == 0 ? "no such template" : "a template of several folders; say which");
+  return found;
+}
+
+bool emit_template(emitter *e, const char *name, const emit_hole *holes) {
+  const emit_template_file *file = find_file(e, name);
+  return file != NULL && emit_template_text(e, name, file->text, holes);
+}
+
+bool emit_fill(emitter *e, const char *name, const emit_hole *holes, emit_text *out) {
+  const emit_template_file *file = find_file(e, name);
+  emit_module m = {.emitter = e};
+  snprintf(m.name, sizeof m.name, "%s", name);
+  filler f = {.m = &m, .holes = holes, .keeps = {true}};
+  char *filled = file != NULL && emit_works(e) ? fill(&f, file->text) : NULL;
+  if (filled == NULL) {
+    emit_no_memory(e);
+  } else {
+    check_columns(&m, filled);
+    text_puts(out, filled);
+  }
+  free(filled);
+  return emit_works(e);
 }
 
 void emit_hole_take(emit_holes *h, const char *name, emit_text *text) {

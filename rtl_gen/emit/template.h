@@ -98,9 +98,14 @@ void emit_holes_free(emit_holes *h);
 /* The same with the template's text itself. */
 bool emit_template_text(emitter *e, const char *name, const char *text, const emit_hole *holes);
 
+/* Append a template that is no module, such as a test bench, with its holes filled. Its text is not
+ * read but for the holes and the columns; templates of other languages have their ending in the
+ * name. False with e->error set if it is refused. */
+bool emit_fill(emitter *e, const char *name, const emit_hole *holes, emit_text *out);
+
 /* All files, made by scripts/embed; the last has no name. */
 typedef struct {
-  const char *path, *text; /* "FOLDER/sepax_NAME" */
+  const char *path, *text; /* "FOLDER/sepax_NAME" of .v; of others with the ending */
 } emit_template_file;
 extern const emit_template_file emit_templates[];
 

@@ -4,16 +4,15 @@
 #define SEPAX_OUTPUT_H
 
 #include "emit/emit.h"
+#include "files/how.h"
 
 /* Write the design's files into a folder: one .v a module, sepax.f (the list of
  * them, top last), and, if the emitter has a design, sepax_params.h, sepax_params.vh and sepax.json
  * (configuration, formats, latency, ports) for test benches, sepax.sdc and for Xilinx sepax.xdc
- * (the clock), sepax.gtkw (ports for GTKWave), of an engine its registers. Each file is written
- * aside and renamed; the folder is made if missing, with those
- * that it is in, and removed again if the run fails. Files of a
- * design that was there before go: those named sepax_... or sepax. ... that begin with a generated
- * file's banner. All names have the emitter's prefix in place of sepax. `absolute` adds
- * sepax_absolute.f, with the paths of the modules from the root. */
-bool gen_write(const emitter *e, const char *folder, bool absolute, sepax_error *error);
+ * (the clock), sepax.gtkw (ports for GTKWave), of an engine its registers; tb/sepax_tb.v, the test
+ * bench (bench/bench.h). All names have the emitter's prefix in place of sepax. sepax_absolute.f
+ * has the paths of the modules from the root. files/folder.h says how the folder is written, and
+ * which files of a former design go. */
+bool gen_write(emitter *e, const char *folder, const sepax_output *how, sepax_error *error);
 
 #endif
