@@ -26,6 +26,24 @@ bool generate_check(const sepax_config *config, sepax_error *error) {
                     sepax_arch_name(config->arch));
 }
 
+enum { COMMAND = SEPAX_CONFIG_TEXT + 128 };
+
+/* The command that makes the same files. */
+static const char *command_text(const sepax_design *design, const sepax_output *how,
+                                const char *prefix, char command[COMMAND]) {
+  char text[SEPAX_CONFIG_TEXT];
+  char vectors[32] = "";
+  const bool own = strcmp(prefix, PREFIX_STANDARD) != 0;
+  if (how->vectors != 0) {
+    snprintf(vectors, sizeof vectors, " --vectors=%d", how->vectors > 0 ? how->vectors : 0);
+  }
+  snprintf(command, COMMAND, "sepax gen %s%s%s%s%s%s",
+           sepax_config_text(&design->config, text, sizeof text), own ? " --prefix=" : "",
+           own ? prefix : "", how->single_file ? " --single-file" : "",
+           how->absolute ? " --absolute" : "", vectors);
+  return command;
+}
+
 bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
                     sepax_error *error) {
   if (!generate_check(&design->config, error)) {
@@ -35,18 +53,9 @@ bool sepax_generate(sepax_design *design, const char *folder, const sepax_output
   if (!prefix_check(prefix, error)) {
     return false;
   }
-  const bool own = strcmp(prefix, PREFIX_STANDARD) != 0;
-  char command[SEPAX_CONFIG_TEXT + 96];
-  char text[SEPAX_CONFIG_TEXT];
-  char vectors[32] = "";
-  if (how->vectors != 0) {
-    snprintf(vectors, sizeof vectors, " --vectors=%d", how->vectors > 0 ? how->vectors : 0);
-  }
-  snprintf(command, sizeof command, "sepax gen %s%s%s%s%s",
-           sepax_config_text(&design->config, text, sizeof text), own ? " --prefix=" : "",
-           own ? prefix : "", how->absolute ? " --absolute" : "", vectors);
+  char command[COMMAND];
   emitter e;
-  emit_init(&e, design, command);
+  emit_init(&e, design, command_text(design, how, prefix, command));
   e.prefix = prefix;
   bool ok = generators[design->config.arch](&e);
   if (!ok) {

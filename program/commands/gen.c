@@ -15,7 +15,14 @@ typedef struct {
   bool estimate, json;
 } gen_options;
 
-enum { OPTION_PREFIX = 0x400, OPTION_ABSOLUTE, OPTION_VECTORS, OPTION_ESTIMATE, OPTION_JSON };
+enum {
+  OPTION_PREFIX = 0x400,
+  OPTION_ABSOLUTE,
+  OPTION_SINGLE,
+  OPTION_VECTORS,
+  OPTION_ESTIMATE,
+  OPTION_JSON
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "DIR", 0, "folder for the Verilog; it is made if missing", 0},
@@ -30,16 +37,19 @@ static const struct argp_option options[] = {
      "energy with the error of each",
      0},
     {"json", OPTION_JSON, NULL, 0, "print the estimate as JSON (needs --estimate)", 0},
+    {"single-file", OPTION_SINGLE, NULL, 0,
+     "write all modules into one file, that of the top module", 0},
     {"vectors", OPTION_VECTORS, "N", 0,
      "pairs in the test bench tb/NAME_tb.v, 0 ... 100000 (default 256; 0: no test bench)", 0},
     {0}};
 
 static void check(const gen_options *o, const struct argp_state *state) {
   const sepax_output *how = &o->how;
-  bool written = o->folder != NULL || how->prefix != NULL || how->absolute || how->vectors != 0;
+  bool written = o->folder != NULL || how->prefix != NULL || how->absolute || how->single_file ||
+                 how->vectors != 0;
   if (o->estimate && written) {
-    argp_error(state,
-               "--estimate writes no Verilog; leave -o, --prefix, --absolute and --vectors out");
+    argp_error(state, "--estimate writes no Verilog; leave -o, --prefix, --absolute, "
+                      "--single-file and --vectors out");
   }
   if (o->json && !o->estimate) {
     argp_error(state, "--json needs --estimate");
@@ -69,6 +79,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case OPTION_JSON:
     o->json = true;
+    return 0;
+  case OPTION_SINGLE:
+    o->how.single_file = true;
     return 0;
   case OPTION_VECTORS: {
     const uint64_t vectors = cli_count(state, "vectors", text, 0, BENCH_VECTORS_MOST);

@@ -165,6 +165,19 @@ void emit_origin(const emitter *e, const char *mark, emit_text *out) {
   print_command(out, mark, e->command);
 }
 
+void emit_print_all(const emitter *e, emit_text *out) {
+  text_printf(out,
+              "// %s.v\n// SPDX-License-Identifier: MIT\n//\n"
+              "// All modules of a design in one file: each stands before those that use it.\n//\n",
+              e->module[e->modules - 1]->name);
+  emit_origin(e, "//", out);
+  text_puts(out, "\n`default_nettype none\n/* verilator lint_off DECLFILENAME */\n");
+  for (int i = 0; i < e->modules; i++) {
+    text_printf(out, "\n%s%s", e->module[i]->banner, e->module[i]->verilog);
+  }
+  text_puts(out, "\n`default_nettype wire\n");
+}
+
 void emit_print(const emit_module *m, emit_text *out) {
   text_printf(out, "// %s.v\n// SPDX-License-Identifier: MIT\n//\n%s//\n", m->name, m->banner);
   emit_origin(m->emitter, "//", out);

@@ -63,6 +63,9 @@ void emit_drop_unused(emitter *e);
 /* Print one checked module, with names that begin with sepax_. */
 void emit_print(const emit_module *m, emit_text *out);
 
+/* Print all modules as one file, the last one's. There is at least one. */
+void emit_print_all(const emitter *e, emit_text *out);
+
 /* Print who made a file, by which command, as comments that begin with `mark`. */
 void emit_origin(const emitter *e, const char *mark, emit_text *out);
 
