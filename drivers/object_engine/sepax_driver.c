@@ -4,10 +4,6 @@
 
 #include "sepax_registers.h"
 
-/* Both kinds of engines have registers of these names, at other addresses. */
-_Static_assert(SEPAX_IDENTITY == 0x53505841u,
-               "registers of another engine: compile with the sepax_registers.h of your design");
-
 const char *sepax_status_text(sepax_status status) {
   static const char *const text[] = {"done",
                                      "no engine there",

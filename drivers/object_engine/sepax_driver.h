@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* sepax_driver.h - driver of an object engine, for bare metal: no heap, no operating system, C11.
  *
- * sepax_registers.h, which `sepax gen` writes beside the Verilog, has the registers. You write the
- * four functions of sepax_bus: mostly, registers are a volatile pointer, and the two streams are a
- * DMA engine or a FIFO. Call sepax_device_open once, sepax_device_load for both objects, then
- * sepax_device_move and sepax_device_run for each position. If a function returns another status
- * than SEPAX_DRIVER_OK, then the engine is idle and its results must not be used. */
+ * sepax_registers.h has the registers, which are the same for every object engine, whatever its
+ * --prefix. You write the four functions of sepax_bus: mostly, registers are a volatile pointer,
+ * and the two streams are a DMA engine or a FIFO. Call sepax_device_open once, sepax_device_load
+ * for both objects, then sepax_device_move and sepax_device_run for each position. If a function
+ * returns another status than SEPAX_DRIVER_OK, then the engine is idle and its results must not be
+ * used. */
 #ifndef SEPAX_DRIVER_H
 #define SEPAX_DRIVER_H
 

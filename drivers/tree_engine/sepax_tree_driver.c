@@ -2,13 +2,9 @@
 /* sepax_tree_driver.c - see sepax_tree_driver.h. */
 #include "sepax_tree_driver.h"
 
-#include "sepax_registers.h"
+#include "sepax_tree_registers.h"
 
-/* Both kinds of engines have registers of these names, at other addresses. */
-_Static_assert(SEPAX_IDENTITY == 0x53505854u,
-               "registers of another engine: compile with the sepax_registers.h of your design");
-
-const char *sepax_device_text(sepax_device_status status) {
+const char *sepax_tree_device_text(sepax_tree_device_status status) {
   static const char *const text[] = {"done", "no tree engine there", "bus error",
                                      "results were lost", "no verdict"};
   return text[status];
@@ -43,7 +39,8 @@ static bool begins(const uint8_t *file, const char *head) {
 
 static bool is_tree(const uint8_t *file) { return begins(file, "sepaxSXT"); }
 
-bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, uint64_t address) {
+bool sepax_tree_device_body(uint8_t record[SEPAX_TREE_DEVICE_BODY], const uint8_t *file,
+                            uint64_t address) {
   enum { IMAGE = 4096 };
   if (!is_tree(file) || address % IMAGE != 0) {
     return false;
@@ -57,7 +54,7 @@ bool sepax_device_body(uint8_t record[SEPAX_DEVICE_BODY], const uint8_t *file, u
   return true;
 }
 
-bool sepax_device_fits(const sepax_device *device, const uint8_t *a, const uint8_t *b) {
+bool sepax_tree_device_fits(const sepax_tree_device *device, const uint8_t *a, const uint8_t *b) {
   uint64_t most = (uint64_t)device->word;
   return is_tree(a) && is_tree(b) && get(a + 12, 4) <= most && get(b + 12, 4) <= most &&
          get(a + 16, 8) ==
@@ -104,8 +101,8 @@ static bool turn_back(uint8_t *pose, int i, const int32_t matrix[3][3], const in
   return sigma >> 24 == 0;
 }
 
-bool sepax_device_pose(uint8_t pose[SEPAX_DEVICE_POSE], const int32_t matrix[3][3],
-                       const int64_t shift[3], int word, int margin) {
+bool sepax_tree_device_pose(uint8_t pose[SEPAX_TREE_DEVICE_POSE], const int32_t matrix[3][3],
+                            const int64_t shift[3], int word, int margin) {
   const int64_t most = (int64_t)1 << 20;
   const int64_t half = most / 2;
   bool fits = margin >= 0 && margin <= 8191;
@@ -127,10 +124,11 @@ bool sepax_device_pose(uint8_t pose[SEPAX_DEVICE_POSE], const int32_t matrix[3][
   return fits;
 }
 
-void sepax_device_job(uint8_t job[SEPAX_DEVICE_JOB], const sepax_device_work *work) {
-  for (int k = 0; k < SEPAX_DEVICE_JOB; k++) {
-    job[k] =
-        k < 2 * SEPAX_DEVICE_BODY ? work->body[k / SEPAX_DEVICE_BODY][k % SEPAX_DEVICE_BODY] : 0;
+void sepax_tree_device_job(uint8_t job[SEPAX_TREE_DEVICE_JOB], const sepax_tree_device_work *work) {
+  for (int k = 0; k < SEPAX_TREE_DEVICE_JOB; k++) {
+    job[k] = k < 2 * SEPAX_TREE_DEVICE_BODY
+                 ? work->body[k / SEPAX_TREE_DEVICE_BODY][k % SEPAX_TREE_DEVICE_BODY]
+                 : 0;
   }
   put(job + 64, work->poses, 8);
   put(job + 72, work->count, 4);
@@ -150,8 +148,8 @@ static int margin_of(const uint8_t *file) {
   return 1 + (warning > clearance ? warning : clearance) + (word <= 18 ? 2 : word <= 20 ? 3 : 5);
 }
 
-bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uint8_t *file,
-                        uint64_t address) {
+bool sepax_tree_device_place(const sepax_tree_device *device, sepax_tree_device_list *list,
+                             uint8_t *file, uint64_t address) {
   enum { PAGE = 4096, PLACED = 80 };
   if (!begins(file, "sepaxSXJ") || address % PAGE != 0 ||
       get(file + 12, 4) != (uint64_t)device->word || margin_of(file) != device->margin) {
@@ -159,12 +157,13 @@ bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uin
   }
   const uint64_t way = address - get(file + PLACED, 8);
   const uint64_t at = get(file + 56, 8);
-  *list = (sepax_device_list){.list = address + at,
-                              .jobs = (uint32_t)get(file + 28, 4),
-                              .poses = (uint32_t)get(file + 32, 4)};
+  *list = (sepax_tree_device_list){.list = address + at,
+                                   .jobs = (uint32_t)get(file + 28, 4),
+                                   .poses = (uint32_t)get(file + 32, 4)};
   for (uint32_t n = 0; n < list->jobs; n++) {
-    uint8_t *job = file + at + (uint64_t)SEPAX_DEVICE_JOB * n;
-    for (int k = 0; k < 2 * SEPAX_DEVICE_BODY + 1; k += SEPAX_DEVICE_BODY) { /* A, B, poses */
+    uint8_t *job = file + at + (uint64_t)SEPAX_TREE_DEVICE_JOB * n;
+    for (int k = 0; k < 2 * SEPAX_TREE_DEVICE_BODY + 1;
+         k += SEPAX_TREE_DEVICE_BODY) { /* A, B, poses */
       put(job + k, get(job + k, 8) + way, 8);
     }
   }
@@ -174,41 +173,44 @@ bool sepax_device_place(const sepax_device *device, sepax_device_list *list, uin
 
 /* ---------------------------------------------------------------- runs */
 
-sepax_device_status sepax_device_open(sepax_device *device, const sepax_device_bus *bus) {
+sepax_tree_device_status sepax_tree_device_open(sepax_tree_device *device,
+                                                const sepax_tree_device_bus *bus) {
   uint32_t id = 0;
   uint32_t design = 0;
   uint32_t margin = 0;
   device->bus = *bus;
-  if (!bus->read(bus->context, SEPAX_ID, &id)) {
-    return SEPAX_DEVICE_BUS;
+  if (!bus->read(bus->context, SEPAX_TREE_ID, &id)) {
+    return SEPAX_TREE_DEVICE_BUS;
   }
-  if (id != SEPAX_IDENTITY) {
-    return SEPAX_DEVICE_NONE;
+  if (id != SEPAX_TREE_IDENTITY) {
+    return SEPAX_TREE_DEVICE_NONE;
   }
-  if (!bus->read(bus->context, SEPAX_DESIGN, &design) ||
-      !bus->read(bus->context, SEPAX_MARGIN, &margin)) {
-    return SEPAX_DEVICE_BUS;
+  if (!bus->read(bus->context, SEPAX_TREE_DESIGN, &design) ||
+      !bus->read(bus->context, SEPAX_TREE_MARGIN, &margin)) {
+    return SEPAX_TREE_DEVICE_BUS;
   }
-  device->word = (int)SEPAX_DESIGN_WORD(design);
+  device->word = (int)SEPAX_TREE_DESIGN_WORD(design);
   device->margin = (int)margin;
-  return SEPAX_DEVICE_OK;
+  return SEPAX_TREE_DEVICE_OK;
 }
 
-sepax_device_status sepax_device_start(sepax_device *device, uint64_t list, uint32_t jobs) {
-  const sepax_device_bus *bus = &device->bus;
-  const uint32_t all = SEPAX_PENDING_DONE | SEPAX_PENDING_HIT | SEPAX_PENDING_POSE;
-  bool ok = bus->write(bus->context, SEPAX_PENDING, all) &&
-            bus->write(bus->context, SEPAX_LIST_LOW, (uint32_t)list) &&
-            bus->write(bus->context, SEPAX_LIST_HIGH, (uint32_t)(list >> 32)) &&
-            bus->write(bus->context, SEPAX_JOBS, jobs) &&
-            bus->write(bus->context, SEPAX_COMMAND, SEPAX_COMMAND_START);
-  return ok ? SEPAX_DEVICE_OK : SEPAX_DEVICE_BUS;
+sepax_tree_device_status sepax_tree_device_start(sepax_tree_device *device, uint64_t list,
+                                                 uint32_t jobs) {
+  const sepax_tree_device_bus *bus = &device->bus;
+  const uint32_t all = SEPAX_TREE_PENDING_DONE | SEPAX_TREE_PENDING_HIT | SEPAX_TREE_PENDING_POSE;
+  bool ok = bus->write(bus->context, SEPAX_TREE_PENDING, all) &&
+            bus->write(bus->context, SEPAX_TREE_LIST_LOW, (uint32_t)list) &&
+            bus->write(bus->context, SEPAX_TREE_LIST_HIGH, (uint32_t)(list >> 32)) &&
+            bus->write(bus->context, SEPAX_TREE_JOBS, jobs) &&
+            bus->write(bus->context, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START);
+  return ok ? SEPAX_TREE_DEVICE_OK : SEPAX_TREE_DEVICE_BUS;
 }
 
-sepax_device_status sepax_device_stop(sepax_device *device) {
-  const sepax_device_bus *bus = &device->bus;
-  return bus->write(bus->context, SEPAX_COMMAND, SEPAX_COMMAND_STOP) ? SEPAX_DEVICE_OK
-                                                                     : SEPAX_DEVICE_BUS;
+sepax_tree_device_status sepax_tree_device_stop(sepax_tree_device *device) {
+  const sepax_tree_device_bus *bus = &device->bus;
+  return bus->write(bus->context, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_STOP)
+             ? SEPAX_TREE_DEVICE_OK
+             : SEPAX_TREE_DEVICE_BUS;
 }
 
 static void take_end(sepax_outcome *o, const uint64_t word[8]) {
@@ -235,17 +237,18 @@ static void take_end(sepax_outcome *o, const uint64_t word[8]) {
                        .row = {low[7], high[7]}};
 }
 
-sepax_device_status sepax_device_take(sepax_device *device,
-                                      void (*found)(void *context, const sepax_contact *contact),
-                                      void *context, sepax_outcome *outcome) {
-  const sepax_device_bus *bus = &device->bus;
+sepax_tree_device_status sepax_tree_device_take(sepax_tree_device *device,
+                                                void (*found)(void *context,
+                                                              const sepax_contact *contact),
+                                                void *context, sepax_outcome *outcome) {
+  const sepax_tree_device_bus *bus = &device->bus;
   uint64_t word[8] = {0};
   uint32_t pairs = 0;
   int taken = 0;
   bool last = false;
   while (!last) {
     if (taken == 8 || !bus->receive(bus->context, &word[taken], &last)) {
-      return SEPAX_DEVICE_BUS;
+      return SEPAX_TREE_DEVICE_BUS;
     }
     if (taken > 0 || word[0] >> 63 != 0) {
       taken++;
@@ -262,18 +265,19 @@ sepax_device_status sepax_device_take(sepax_device *device,
     }
   }
   if (taken != 8) {
-    return SEPAX_DEVICE_INCOMPLETE;
+    return SEPAX_TREE_DEVICE_INCOMPLETE;
   }
   take_end(outcome, word);
-  return outcome->status >> 3 != 0                                        ? SEPAX_DEVICE_NO_VERDICT
-         : pairs != 0 && pairs != outcome->collisions + outcome->warnings ? SEPAX_DEVICE_INCOMPLETE
-                                                                          : SEPAX_DEVICE_OK;
+  return outcome->status >> 3 != 0 ? SEPAX_TREE_DEVICE_NO_VERDICT
+         : pairs != 0 && pairs != outcome->collisions + outcome->warnings
+             ? SEPAX_TREE_DEVICE_INCOMPLETE
+             : SEPAX_TREE_DEVICE_OK;
 }
 
-sepax_device_status sepax_device_busy(sepax_device *device, bool *busy) {
-  const sepax_device_bus *bus = &device->bus;
+sepax_tree_device_status sepax_tree_device_busy(sepax_tree_device *device, bool *busy) {
+  const sepax_tree_device_bus *bus = &device->bus;
   uint32_t status = 0;
-  bool ok = bus->read(bus->context, SEPAX_STATUS, &status);
-  *busy = (status & SEPAX_STATUS_BUSY) != 0;
-  return ok ? SEPAX_DEVICE_OK : SEPAX_DEVICE_BUS;
+  bool ok = bus->read(bus->context, SEPAX_TREE_STATUS, &status);
+  *busy = (status & SEPAX_TREE_STATUS_BUSY) != 0;
+  return ok ? SEPAX_TREE_DEVICE_OK : SEPAX_TREE_DEVICE_BUS;
 }

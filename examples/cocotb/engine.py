@@ -11,9 +11,9 @@ from golden import Found
 
 
 def register_map(path):
-    """Of sepax_registers.h: the addresses of registers, and the masks of their bits."""
+    """Of a C header of registers: their addresses, and the masks of their bits."""
     with open(path) as file:
-        found = re.findall(r"#define SEPAX_(\w+) (0x\w+)u( /\*)?", file.read())
+        found = re.findall(r"#define SEPAX_(?:TREE_)?(\w+) (0x\w+)u( /\*)?", file.read())
     return ({name: int(value, 16) for name, value, about in found if about},
             {name: int(value, 16) for name, value, about in found if not about})
 
@@ -24,7 +24,7 @@ def signed(value):
 
 
 class Engine(Top):
-    """The engine behind its buses; `registers` is the path of its sepax_registers.h."""
+    """The engine behind its buses; `registers` is the path of its C header."""
 
     def __init__(self, dut, registers):
         super().__init__(dut)

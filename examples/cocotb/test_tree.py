@@ -27,7 +27,7 @@ test = cocotb.test(timeout_time=300, timeout_unit="us")
 async def ready(dut, stall=None):
     """The engine behind a reset, and behind a collision: where a pose has none, FIRST is that of
     one before, and undefined before any. With a seed all valid and ready come at random."""
-    engine = TreeEngine(dut, f"{FOLDER}/sepax_registers.h")
+    engine = TreeEngine(dut, f"{FOLDER}/sepax_tree_registers.h")
     await engine.reset()
     body = Body([[0] * 9], WORD, BODIES_AT)
     engine.put(BODIES_AT, body.image)

@@ -109,8 +109,9 @@ int cli_gen(int argc, char **argv) {
       "these files: sepax.f (list of the modules' files); sepax_params.h, sepax_params.vh and "
       "sepax.json (parameters for test benches); sepax.sdc (clock constraints), and sepax.xdc if "
       "the target is a Xilinx FPGA; sepax.gtkw (ports for GTKWave). A design with an engine "
-      "(--lanes, --tree) also has sepax_registers.h, .md and .rdl, which describe the registers of "
-      "the engine. tb/sepax_tb.v is a test bench for any simulator.",
+      "also has sepax_registers.h, .md and .rdl (--lanes) or sepax_tree_registers.h, .md and .rdl "
+      "(--tree), which describe the registers of the engine. "
+      "tb/sepax_tb.v is a test bench for any simulator.",
       children,
       NULL,
       NULL};

@@ -26,6 +26,7 @@ typedef struct {
 } engine_register;
 
 typedef struct {
+  const char *file;  /* of its C header: sepax_registers; names of macros begin like it: SEPAX_ */
   unsigned identity; /* what the register ID reads */
   const engine_register *row;
   size_t rows;
@@ -36,7 +37,7 @@ typedef struct {
  * the cases in which a register is read. `constants` has a value for each ENGINE_CONSTANT. */
 void engine_decode(const engine_registers *map, emit_holes *h, const int *constants);
 
-/* The map for others: sepax_registers.h, sepax_registers.md, sepax_registers.rdl. */
+/* The map for others: a C header, a page and SystemRDL. */
 void engine_header(const engine_registers *map, emit_text *out);
 void engine_page(const engine_registers *map, emit_text *out);
 void engine_rdl(const engine_registers *map, emit_text *out);

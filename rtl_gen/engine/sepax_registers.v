@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The registers of the engine behind AXI4-Lite (sepax_registers.md lists them). All outputs are
-// registers; a write may come with its data before its address.
+// The registers of the engine behind AXI4-Lite; @map@.md lists them. All outputs
+// are registers; a write may come with its data before its address.
 module sepax_registers (
   input  wire        clk,          // clock
   input  wire        rst,          // synchronous reset, active high

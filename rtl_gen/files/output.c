@@ -37,9 +37,9 @@ static void list_absolute(const emitter *e, const sepax_output *how, const char 
 static void render_registers(const sepax_design *d, folder_files *o) {
   const engine_registers *registers = engine_generator_of(&d->config)->registers;
   if (registers != NULL) {
-    engine_header(registers, folder_add(o, "sepax_registers", "h"));
-    engine_page(registers, folder_add(o, "sepax_registers", "md"));
-    engine_rdl(registers, folder_add(o, "sepax_registers", "rdl"));
+    engine_header(registers, folder_add(o, registers->file, "h"));
+    engine_page(registers, folder_add(o, registers->file, "md"));
+    engine_rdl(registers, folder_add(o, registers->file, "rdl"));
   }
 }
 

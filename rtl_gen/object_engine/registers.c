@@ -63,6 +63,6 @@ static const engine_register table[] = {
 };
 
 const engine_registers object_engine_registers = {
-    0x53505841, table, sizeof table / sizeof table[0],
+    "sepax_registers", 0x53505841, table, sizeof table / sizeof table[0],
     "Counts are those of the last run, undefined before the\nfirst; FIRST_A and FIRST_B those of "
     "the last run with a collision."};

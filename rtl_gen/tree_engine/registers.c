@@ -48,7 +48,7 @@ static const engine_register table[] = {
 };
 
 const engine_registers tree_engine_registers = {
-    0x53505854, table, sizeof table / sizeof table[0],
+    "sepax_tree_registers", 0x53505854, table, sizeof table / sizeof table[0],
     "What is read is of the last batch, undefined before the "
     "first;\nHIT_JOB and HIT_POSE of the last with a "
     "collision."};

@@ -132,17 +132,8 @@ LAYOUT_OBJ  = $(call object,$(wildcard synth/layout/*.c synth/layout/*/*.c) synt
 GEN_OBJ     = $(call object,$(RTL_GEN)) $(TEMPLATE_OBJ)
 POWER_OBJ   = $(call object,$(wildcard synth/power/*.c)) $(filter-out %/main.o,$(LIBERTY_OBJ))
 
-# The engines' register maps, as their drivers read them.
-REGISTERS        = $(BUILD)/registers
-OF_object_engine = --lanes=1
-OF_tree_engine   = --tree
-$(REGISTERS)/%/sepax_registers.h: $(SEPAX)
-	@mkdir -p $(REGISTERS)
-	@$(SEPAX) gen $(OF_$*) -o $(@D) > /dev/null
-	@touch $@
-$(patsubst %.c,$(BUILD)/obj/%.o,$(wildcard synth/power/*_engine.c)): \
-    $(BUILD)/obj/synth/power/%.o: $(REGISTERS)/%/sepax_registers.h
-$(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -I$(REGISTERS)/$(*F)
+# Registers of the engines, as their drivers read them.
+$(BUILD)/obj/synth/power/%_engine.o: SEPAX_CFLAGS += -Idrivers/$(*F)
 
 $(SEPAX): $(call object,$(CLI_SRC)) $(TEMPLATE_OBJ) $(PAGE_OBJ) $(EXPLORE_OBJ) $(LINUXCNC_OBJ) \
           $(IO) $(LIB)

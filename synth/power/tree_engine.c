@@ -7,7 +7,7 @@
 #include "analysis.h"
 #include "around.h"
 #include "liberty/text.h"
-#include "sepax_registers.h"
+#include "sepax_tree_registers.h"
 #include "sepax_tree.h"
 
 #include <err.h>
@@ -295,10 +295,10 @@ static void run_lanes(engine *e, const size_t list[LANES]) {
   for (unsigned l = 0; l < LANES; l++) {
     address[l] = (uint32_t)(BASE + list[l]);
   }
-  around_write_each(&e->a, SEPAX_LIST_LOW, address);
-  around_write(&e->a, SEPAX_LIST_HIGH, 0);
-  around_write(&e->a, SEPAX_JOBS, 1);
-  around_write(&e->a, SEPAX_COMMAND, SEPAX_COMMAND_START);
+  around_write_each(&e->a, SEPAX_TREE_LIST_LOW, address);
+  around_write(&e->a, SEPAX_TREE_LIST_HIGH, 0);
+  around_write(&e->a, SEPAX_TREE_JOBS, 1);
+  around_write(&e->a, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START);
   for (uint64_t k = 0; k < e->limit && e->ended != around_all; k++) {
     around_tick(&e->a);
   }

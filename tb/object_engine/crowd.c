@@ -2,10 +2,9 @@
 /* crowd.c - see crowd.h. */
 #include "object_engine/crowd.h"
 #include "object_engine/bus.h"
-#include "sepax_registers.h"
 #include "sepax_vectors.h"
 
-enum { ADDRESSES = 128, ACCESSES = 60, ROUNDS = 8 };
+enum { ID = 0, ADDRESSES = 128, ACCESSES = 60, ROUNDS = 8 };
 
 static sepax_random rng;
 static uint32_t below(uint32_t end) { return (uint32_t)sepax_random_range(&rng, 0, end - 1); }
@@ -30,32 +29,33 @@ static uint32_t some_value(uint32_t bits) {
   }
 }
 
-static bool is_known(const crowd_register *known, size_t count, uint32_t address) {
+static bool is_known(const crowd_register *known, size_t count, uint32_t command,
+                     uint32_t address) {
   for (size_t n = 0; n < count; n++) {
     if (known[n].address == address) {
       return true;
     }
   }
-  return address == SEPAX_COMMAND;
+  return address == command;
 }
 
 /* Small numbers, which a register would take, to addresses that are none or can only be read. */
-static void write_elsewhere(const crowd_register *known, size_t count) {
+static void write_elsewhere(const crowd_register *known, size_t count, uint32_t command) {
   for (uint32_t at = 0; at < ADDRESSES; at++) {
-    for (uint32_t value = 0; value < 8 && !is_known(known, count, at); value++) {
+    for (uint32_t value = 0; value < 8 && !is_known(known, count, command, at); value++) {
       expect("a write to what cannot be written", bus_write(NULL, at, value), 0);
     }
   }
 }
 
-void crowd(const crowd_register *known, size_t count, uint64_t seed) {
+void crowd(const crowd_register *known, size_t count, uint32_t command, uint64_t seed) {
   bool there[ADDRESSES];
   uint32_t value[ADDRESSES];
   rng.state = 1 + seed;
   for (uint32_t at = 0; at < ADDRESSES; at++) {
     there[at] = bus_read(NULL, at, &value[at]);
   }
-  write_elsewhere(known, count);
+  write_elsewhere(known, count, command);
   for (int round = 0; round < 2 * ROUNDS; round++) {
     bus_access list[ACCESSES];
     bool ok[ACCESSES];
@@ -65,7 +65,7 @@ void crowd(const crowd_register *known, size_t count, uint64_t seed) {
       bus_access *access = &list[n];
       *access = (bus_access){.address = r != NULL ? r->address : below(ADDRESSES)};
       if (reads || below(4) == 0) { /* beside writes, what never changes */
-        access->address = reads ? access->address : SEPAX_ID;
+        access->address = reads ? access->address : ID;
         ok[n] = there[access->address];
         continue;
       }
@@ -74,7 +74,7 @@ void crowd(const crowd_register *known, size_t count, uint64_t seed) {
       for (size_t k = 0; k < count && r == NULL; k++) {
         r = known[k].address == access->address ? &known[k] : NULL;
       }
-      if (access->address == SEPAX_COMMAND) {
+      if (access->address == command) {
         access->value |= 4; /* no command */
       }
       ok[n] = r != NULL && access->strobes == 15 && takes(r, access->value);

@@ -16,8 +16,8 @@ typedef struct {
 
 /* After a reset: small numbers to each other address, which are refused; then writes to them and
  * elsewhere, and reads, all under way at once, with gaps. What is read then is what was written.
- * Settings are not what they were before. */
-void crowd(const crowd_register *known, size_t count, uint64_t seed);
+ * Settings are not what they were before. `command`: the address of COMMAND. */
+void crowd(const crowd_register *known, size_t count, uint32_t command, uint64_t seed);
 
 /* Of the bench: count and print what is not as it must be. */
 void expect(const char *what, unsigned long long got, unsigned long long wanted);

@@ -107,7 +107,7 @@ static void many_accesses(void) {
       {SEPAX_PENDING, 7, false, true},   {SEPAX_MOVE_X, move, true, false},
       {SEPAX_MOVE_Y, move, true, false}, {SEPAX_MOVE_Z, move, true, false}};
   bus_reset();
-  crowd(known, sizeof known / sizeof known[0], 1);
+  crowd(known, sizeof known / sizeof known[0], SEPAX_COMMAND, 1);
 }
 
 void refusals(void) {

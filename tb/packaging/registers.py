@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Are the registers in SystemRDL those of the C header and of the page?
 
-  registers.py FOLDER   of sepax gen; exit status 1 and a line for each difference
+  registers.py FOLDER MAP   of sepax gen; MAP is sepax_registers or sepax_tree_registers. Exit
+                            status 1 and a line for each difference
 """
 import re
 import sys
 
 from systemrdl import RDLCompiler
 
+DEFINE = r"#define SEPAX_(?:TREE_)?(\w+)"
 ACCESS = {
     ("r", None): "read",
     ("w", None): "write",
@@ -38,16 +40,16 @@ def of_header(path):
     """The same without access."""
     registers, name = {}, ""
     for line in open(path):
-        match = re.match(r"#define SEPAX_(\w+) 0x([0-9a-f]+)u? /\*", line)
+        match = re.match(rf"{DEFINE} 0x([0-9a-f]+)u? /\*", line)
         if match:
             name = match[1]
             registers[name] = (int(match[2], 16), {})
             continue
-        match = re.match(r"#define SEPAX_(\w+) 0x([0-9a-f]+)u?$", line)
+        match = re.match(rf"{DEFINE} 0x([0-9a-f]+)u?$", line)
         if match and match[1].startswith(name + "_") and name:
             mask = int(match[2], 16)
             registers[name][1][match[1][len(name) + 1 :]] = (mask.bit_length() - 1, 1)
-        match = re.match(r"#define SEPAX_(\w+)\(value\) .*& 0x([0-9a-f]+)u?\) >> (\d+)\)$", line)
+        match = re.match(rf"{DEFINE}\(value\) .*& 0x([0-9a-f]+)u?\) >> (\d+)\)$", line)
         if match:
             mask, low = int(match[2], 16), int(match[3])
             registers[name][1][match[1][len(name) + 1 :]] = (low, mask.bit_length() - low)
@@ -60,10 +62,10 @@ def of_page(path):
     return {m[1]: m[2] for m in map(row.match, open(path)) if m}
 
 
-def main(folder):
-    rdl = of_rdl(folder + "/sepax_registers.rdl")
-    header = of_header(folder + "/sepax_registers.h")
-    page = of_page(folder + "/sepax_registers.md")
+def main(folder, of):
+    rdl = of_rdl(f"{folder}/{of}.rdl")
+    header = of_header(f"{folder}/{of}.h")
+    page = of_page(f"{folder}/{of}.md")
     wrong = 0
     for name in sorted({*rdl, *header, *page}):
         others = (*header.get(name, (None, None)), page.get(name))
@@ -75,4 +77,4 @@ def main(folder):
     return int(wrong > 0 or not rdl)
 
 
-sys.exit(main(sys.argv[1]))
+sys.exit(main(*sys.argv[1:]))

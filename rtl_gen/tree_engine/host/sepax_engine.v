@@ -16,7 +16,7 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWREADY" *)
   output wire         s_axi_awready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi AWADDR" *)
-  input  wire [6:0]   s_axi_awaddr,  // register address: sepax_registers.md
+  input  wire [6:0]   s_axi_awaddr,  // register address: sepax_tree_registers.md
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WVALID" *)
   input  wire         s_axi_wvalid,  // data to write
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi WREADY" *)
@@ -36,7 +36,7 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARREADY" *)
   output wire         s_axi_arready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi ARADDR" *)
-  input  wire [6:0]   s_axi_araddr,  // register address: sepax_registers.md
+  input  wire [6:0]   s_axi_araddr,  // register address: sepax_tree_registers.md
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RVALID" *)
   output wire         s_axi_rvalid,  // data that were read
   (* X_INTERFACE_INFO = "xilinx.com:interface:aximm:1.0 s_axi RREADY" *)

@@ -20,7 +20,7 @@
 #include <string.h>
 
 sepax_design design;
-sepax_device device;
+sepax_tree_device device;
 uint64_t bench_base = UINT64_C(0x1234560000);
 unsigned long long wrong;
 
@@ -290,9 +290,9 @@ static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, s
   bool has_row = (result->modes & SEPAX_TREE_ROW) != 0;
   c->unknown = c->stale || (b->any && ((result->status & SEPAX_TREE_BUS) != 0 ||
                                        ((result->status & SEPAX_TREE_DAMAGED) != 0 && has_row)));
-  sepax_device_status status = sepax_device_take(&device, see, c, o);
-  if (status != SEPAX_DEVICE_OK && status != SEPAX_DEVICE_NO_VERDICT) {
-    fprintf(stderr, "tree-engine: %s\n", sepax_device_text(status));
+  sepax_tree_device_status status = sepax_tree_device_take(&device, see, c, o);
+  if (status != SEPAX_TREE_DEVICE_OK && status != SEPAX_TREE_DEVICE_NO_VERDICT) {
+    fprintf(stderr, "tree-engine: %s\n", sepax_tree_device_text(status));
     wrong++;
     return false;
   }
@@ -304,14 +304,15 @@ static bool take(bench_batch *b, contacts *c, const sepax_tree_result *result, s
 /* What the registers say of a batch that took so many cycles at most. */
 static void check_registers(const bench_batch *b, uint64_t most) {
   uint32_t value = 0;
-  expect("STATUS", bus_read(NULL, SEPAX_STATUS, &value) ? value : UINT64_MAX, b->status << 1);
-  expect("CYCLES", bus_read(NULL, SEPAX_CYCLES, &value), 1);
+  expect("STATUS", bus_read(NULL, SEPAX_TREE_STATUS, &value) ? value : UINT64_MAX, b->status << 1);
+  expect("CYCLES", bus_read(NULL, SEPAX_TREE_CYCLES, &value), 1);
   expect("as many cycles as its poses took, or more", value >= b->cycles && value <= most, 1);
-  expect("POSES", bus_read(NULL, SEPAX_POSES, &value) ? value : UINT64_MAX, b->poses);
-  expect("HITS", bus_read(NULL, SEPAX_HITS, &value) ? value : UINT64_MAX, b->hits);
+  expect("POSES", bus_read(NULL, SEPAX_TREE_POSES, &value) ? value : UINT64_MAX, b->poses);
+  expect("HITS", bus_read(NULL, SEPAX_TREE_HITS, &value) ? value : UINT64_MAX, b->hits);
   if (b->hits > 0) {
-    expect("HIT_JOB", bus_read(NULL, SEPAX_HIT_JOB, &value) ? value : UINT64_MAX, b->first_hit[0]);
-    expect("HIT_POSE", bus_read(NULL, SEPAX_HIT_POSE, &value) ? value : UINT64_MAX,
+    expect("HIT_JOB", bus_read(NULL, SEPAX_TREE_HIT_JOB, &value) ? value : UINT64_MAX,
+           b->first_hit[0]);
+    expect("HIT_POSE", bus_read(NULL, SEPAX_TREE_HIT_POSE, &value) ? value : UINT64_MAX,
            b->first_hit[1]);
   }
 }
@@ -333,7 +334,7 @@ void bench_run(bench_batch *b) {
   if (!external.is_reserved) {
     memset(external.bursts, 0, external.used / MEMORY_BEAT * sizeof(uint32_t));
   }
-  expect("start", sepax_device_start(&device, golden.list, golden.jobs), SEPAX_DEVICE_OK);
+  expect("start", sepax_tree_device_start(&device, golden.list, golden.jobs), SEPAX_TREE_DEVICE_OK);
   bool more = true;
   for (int n = 0; more; n++) {
     sepax_tree_result result = {.job = 0};
@@ -343,7 +344,7 @@ void bench_run(bench_batch *b) {
     stop_on(!sepax_tree_next(&golden, &result, &more, &error), error.text);
     c.may_stop = golden.current.budget > 0 || (b->stop_at >= 0 && n >= b->stop_at);
     if (more && n == b->stop_at) {
-      expect("STOP", sepax_device_stop(&device), SEPAX_DEVICE_OK);
+      expect("STOP", sepax_tree_device_stop(&device), SEPAX_TREE_DEVICE_OK);
     }
     reads.colds += (result.modes & SEPAX_TREE_COLD) != 0 ||
                    (result.pose == 0 && (result.modes & SEPAX_TREE_WARM) == 0);
@@ -361,7 +362,7 @@ void bench_run(bench_batch *b) {
   free(c.pair);
   bool busy = true;
   for (int n = 0; busy && n < 1000; n++) {
-    expect("busy", sepax_device_busy(&device, &busy), SEPAX_DEVICE_OK);
+    expect("busy", sepax_tree_device_busy(&device, &busy), SEPAX_TREE_DEVICE_OK);
   }
   expect("the batch ends", busy, 0);
   check_registers(b, bus_cycles() - begun);
@@ -431,8 +432,8 @@ int main(int argc, char **argv) {
           error.text);
   bus_arguments(argc, argv);
   bus_open(c.stress, c.wave);
-  const sepax_device_bus bus = {NULL, bus_read, bus_write, bus_receive};
-  expect("open", sepax_device_open(&device, &bus), SEPAX_DEVICE_OK);
+  const sepax_tree_device_bus bus = {NULL, bus_read, bus_write, bus_receive};
+  expect("open", sepax_tree_device_open(&device, &bus), SEPAX_TREE_DEVICE_OK);
   expect("word", (unsigned long long)device.word, SEPAX_WORD);
   expect("margin", (unsigned long long)device.margin, (unsigned long long)design.margin[1]);
   const memory_options options = {.latency = (int)c.latency, .stress = c.stress};

@@ -6,14 +6,14 @@
 #include "object_engine/bus.h"
 #include "object_engine/crowd.h"
 #include "sepax_params.h"
-#include "sepax_registers.h"
+#include "sepax_tree_registers.h"
 #include "sepax_tree.h"
 #include "sepax_tree_driver.h"
 
 extern uint64_t bench_base; /* address of the memory, a multiple of 4096 */
 
 extern sepax_design design;
-extern sepax_device device;
+extern sepax_tree_device device;
 extern unsigned long long wrong;
 
 /* Count and print what is not as it must be. */

@@ -65,12 +65,12 @@ static void print_table(const tally *t) {
 void bench_list(const char *path, const memory_options *options) {
   sepax_error error = {0};
   sepax_job_list list;
-  sepax_device_list placed;
+  sepax_tree_device_list placed;
   stop_on(!sepax_job_list_read(&list, path, &error), error.text);
   bench_clear();
   size_t at = bench_space(list.bytes, 4096);
   memcpy(bench_at(at), list.byte, list.bytes);
-  stop_on(!sepax_device_place(&device, &placed, bench_at(at), bench_address(at)),
+  stop_on(!sepax_tree_device_place(&device, &placed, bench_at(at), bench_address(at)),
           "the list is for a design of another word or other clearances");
   bench_attach(*options);
   tally t = {&list, calloc(list.jobs, sizeof *t.each)};

@@ -18,72 +18,75 @@ static uint32_t value_of(uint32_t address) {
 static void single_bits(void) {
   static const struct {
     uint32_t address, bits;
-  } known[] = {{SEPAX_COMMAND, SEPAX_COMMAND_STOP},
-               {SEPAX_ENABLE, 7},
-               {SEPAX_PENDING, 7},
-               {SEPAX_LIST_LOW, ~UINT32_C(127)},
-               {SEPAX_LIST_HIGH, 255}};
-  expect("JOBS", bus_write(NULL, SEPAX_JOBS, 1), 1); /* START may be refused for its bits alone */
+  } known[] = {{SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_STOP},
+               {SEPAX_TREE_ENABLE, 7},
+               {SEPAX_TREE_PENDING, 7},
+               {SEPAX_TREE_LIST_LOW, ~UINT32_C(127)},
+               {SEPAX_TREE_LIST_HIGH, 255}};
+  expect("JOBS", bus_write(NULL, SEPAX_TREE_JOBS, 1),
+         1); /* START may be refused for its bits alone */
   for (size_t n = 0; n < sizeof known / sizeof *known; n++) {
     for (int k = 0; k < 32; k++) {
       const uint32_t bit = UINT32_C(1) << k;
-      bool start = known[n].address == SEPAX_COMMAND && bit == SEPAX_COMMAND_START;
+      bool start = known[n].address == SEPAX_TREE_COMMAND && bit == SEPAX_TREE_COMMAND_START;
       if (!start) {
         expect("one bit", bus_write(NULL, known[n].address, bit), (bit & known[n].bits) != 0);
       }
-      if (known[n].address == SEPAX_COMMAND && bit > SEPAX_COMMAND_STOP) {
-        expect("a bit with START", bus_write(NULL, SEPAX_COMMAND, bit | SEPAX_COMMAND_START), 0);
-        expect("a bit with STOP", bus_write(NULL, SEPAX_COMMAND, bit | SEPAX_COMMAND_STOP), 0);
+      if (known[n].address == SEPAX_TREE_COMMAND && bit > SEPAX_TREE_COMMAND_STOP) {
+        expect("a bit with START",
+               bus_write(NULL, SEPAX_TREE_COMMAND, bit | SEPAX_TREE_COMMAND_START), 0);
+        expect("a bit with STOP",
+               bus_write(NULL, SEPAX_TREE_COMMAND, bit | SEPAX_TREE_COMMAND_STOP), 0);
       }
     }
   }
   for (unsigned strobes = 0; strobes < 15; strobes++) {
-    expect("a write of bytes", bus_write_part(SEPAX_JOBS, 1, strobes), 0);
+    expect("a write of bytes", bus_write_part(SEPAX_TREE_JOBS, 1, strobes), 0);
   }
   for (int k = 0; k < 32; k++) { /* no batch begins without jobs, and with each number there are */
-    expect("JOBS", bus_write(NULL, SEPAX_JOBS, UINT32_C(1) << k), 1);
-    expect("JOBS reads back", value_of(SEPAX_JOBS), UINT32_C(1) << k);
+    expect("JOBS", bus_write(NULL, SEPAX_TREE_JOBS, UINT32_C(1) << k), 1);
+    expect("JOBS reads back", value_of(SEPAX_TREE_JOBS), UINT32_C(1) << k);
   }
-  expect("nothing has begun", value_of(SEPAX_STATUS), 0);
+  expect("nothing has begun", value_of(SEPAX_TREE_STATUS), 0);
 }
 
 /* One event after the other is cleared, and each alone is an interrupt. */
 static void events(void) {
-  const uint32_t all = SEPAX_PENDING_DONE | SEPAX_PENDING_HIT | SEPAX_PENDING_POSE;
+  const uint32_t all = SEPAX_TREE_PENDING_DONE | SEPAX_TREE_PENDING_HIT | SEPAX_TREE_PENDING_POSE;
   uint32_t left = all;
-  expect("all events are pending", value_of(SEPAX_PENDING), all);
+  expect("all events are pending", value_of(SEPAX_TREE_PENDING), all);
   for (uint32_t bit = 1; bit < 8; bit *= 2) {
     for (uint32_t enabled = 1; enabled < 8; enabled *= 2) {
-      expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, enabled), 1);
+      expect("ENABLE", bus_write(NULL, SEPAX_TREE_ENABLE, enabled), 1);
       bus_idle(4);
       expect("an interrupt of an event", bus_interrupt(), (left & enabled) != 0);
     }
     left &= ~bit;
-    expect("PENDING", bus_write(NULL, SEPAX_PENDING, bit), 1);
-    expect("the others are pending", value_of(SEPAX_PENDING), left);
+    expect("PENDING", bus_write(NULL, SEPAX_TREE_PENDING, bit), 1);
+    expect("the others are pending", value_of(SEPAX_TREE_PENDING), left);
   }
   bus_idle(4);
   expect("no interrupt that was cleared", bus_interrupt(), 0);
 }
 
 static void settings(void) {
-  static const crowd_register known[] = {{SEPAX_ENABLE, 7, false, false},
-                                         {SEPAX_PENDING, 7, false, true},
-                                         {SEPAX_LIST_LOW, ~UINT32_C(127), false, false},
-                                         {SEPAX_LIST_HIGH, 255, false, false},
-                                         {SEPAX_JOBS, UINT32_MAX, false, false}};
+  static const crowd_register known[] = {{SEPAX_TREE_ENABLE, 7, false, false},
+                                         {SEPAX_TREE_PENDING, 7, false, true},
+                                         {SEPAX_TREE_LIST_LOW, ~UINT32_C(127), false, false},
+                                         {SEPAX_TREE_LIST_HIGH, 255, false, false},
+                                         {SEPAX_TREE_JOBS, UINT32_MAX, false, false}};
   bus_reset();
-  crowd(known, sizeof known / sizeof known[0], 1);
+  crowd(known, sizeof known / sizeof known[0], SEPAX_TREE_COMMAND, 1);
   bus_reset();
   uint32_t value = 0;
   expect("an address beyond", bus_read(NULL, 0x7c, &value), 0);
-  expect("START without jobs", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("ID is read only", bus_write(NULL, SEPAX_ID, 0), 0);
-  expect("a list at 64", bus_write(NULL, SEPAX_LIST_LOW, 64), 0);
-  expect("a list beyond 40 bits", bus_write(NULL, SEPAX_LIST_HIGH, 256), 0);
-  expect("partial strobes", bus_write_part(SEPAX_JOBS, 1, 7), 0);
-  expect("STATUS after a reset", value_of(SEPAX_STATUS), 0);
-  expect("PENDING after a reset", value_of(SEPAX_PENDING), 0);
+  expect("START without jobs", bus_write(NULL, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START), 0);
+  expect("ID is read only", bus_write(NULL, SEPAX_TREE_ID, 0), 0);
+  expect("a list at 64", bus_write(NULL, SEPAX_TREE_LIST_LOW, 64), 0);
+  expect("a list beyond 40 bits", bus_write(NULL, SEPAX_TREE_LIST_HIGH, 256), 0);
+  expect("partial strobes", bus_write_part(SEPAX_TREE_JOBS, 1, 7), 0);
+  expect("STATUS after a reset", value_of(SEPAX_TREE_STATUS), 0);
+  expect("PENDING after a reset", value_of(SEPAX_TREE_PENDING), 0);
   single_bits();
   bus_reset();
 }
@@ -209,24 +212,25 @@ static void controls(void) {
     bench_run(&s.batch);
   } while (s.batch.hits == 0);
   uint32_t value = 0;
-  expect("STATUS", bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_HIT) != 0, 1);
+  expect("STATUS",
+         bus_read(NULL, SEPAX_TREE_STATUS, &value) && (value & SEPAX_TREE_STATUS_HIT) != 0, 1);
   expect("no interrupt that is not enabled", bus_interrupt(), 0);
   events();
   bus_block_results(true);
-  expect("START", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 1);
+  expect("START", bus_write(NULL, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START), 1);
   bus_idle(3000);
   expect("BUSY while nobody takes results",
-         bus_read(NULL, SEPAX_STATUS, &value) && (value & SEPAX_STATUS_BUSY) != 0, 1);
-  expect("JOBS while busy", bus_write(NULL, SEPAX_JOBS, 2), 0);
-  expect("START while busy", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
-  expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
+         bus_read(NULL, SEPAX_TREE_STATUS, &value) && (value & SEPAX_TREE_STATUS_BUSY) != 0, 1);
+  expect("JOBS while busy", bus_write(NULL, SEPAX_TREE_JOBS, 2), 0);
+  expect("START while busy", bus_write(NULL, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START), 0);
+  expect("STOP", bus_write(NULL, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_STOP), 1);
   bus_block_results(false);
   sepax_outcome outcome = {.last = false};
-  sepax_device_status status = SEPAX_DEVICE_OK;
+  sepax_tree_device_status status = SEPAX_TREE_DEVICE_OK;
   do {
-    status = sepax_device_take(&device, NULL, NULL, &outcome);
-    expect("a pose that ends", status, SEPAX_DEVICE_OK);
-  } while (!outcome.last && status == SEPAX_DEVICE_OK);
+    status = sepax_tree_device_take(&device, NULL, NULL, &outcome);
+    expect("a pose that ends", status, SEPAX_TREE_DEVICE_OK);
+  } while (!outcome.last && status == SEPAX_TREE_DEVICE_OK);
 }
 
 void refusals(void) {

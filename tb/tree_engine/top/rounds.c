@@ -137,8 +137,8 @@ static void check_driver(const uint8_t bytes[SEPAX_TREE_POSE_BYTES]) {
     shift[i] = pose.side[0].shift[i] - (1 << 19);
   }
   expect("the driver makes the pose",
-         sepax_device_pose(packed, (const int32_t(*)[3])pose.side[0].matrix, shift, SEPAX_WORD,
-                           margin),
+         sepax_tree_device_pose(packed, (const int32_t(*)[3])pose.side[0].matrix, shift, SEPAX_WORD,
+                                margin),
          1);
   expect("its side of B",
          memcmp(packed, bytes, 24) == 0 && memcmp(packed + 48, bytes + 48, 36) == 0, 1);
@@ -190,8 +190,8 @@ static void other_pose(uint8_t *bytes, sepax_tree_side side, sepax_vec vertex) {
     side.shift[i] -= 1 << 19;
   }
   uint8_t packed[SEPAX_TREE_POSE_BYTES];
-  if (sepax_device_pose(packed, (const int32_t(*)[3])side.matrix, side.shift, SEPAX_WORD,
-                        (int)design.margin[1])) {
+  if (sepax_tree_device_pose(packed, (const int32_t(*)[3])side.matrix, side.shift, SEPAX_WORD,
+                             (int)design.margin[1])) {
     memcpy(bytes, packed, sizeof packed);
   }
 }
@@ -385,8 +385,8 @@ static void reset_round(uint64_t seed) {
   scene s;
   some_scene(&s);
   bench_attach(some_memory(true, seed));
-  expect("start", sepax_device_start(&device, bench_address(s.batch.list), s.batch.jobs),
-         SEPAX_DEVICE_OK);
+  expect("start", sepax_tree_device_start(&device, bench_address(s.batch.list), s.batch.jobs),
+         SEPAX_TREE_DEVICE_OK);
   bus_idle((uint64_t)range(0, 2000));
   bus_reset();
   free_scene(&s);
