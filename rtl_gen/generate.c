@@ -4,6 +4,7 @@
 
 #include "conference/conference.h"
 #include "emit/prefix.h"
+#include "estimate.h"
 #include "exact/exact.h"
 #include "files/output.h"
 #include "paper/paper.h"
@@ -44,6 +45,28 @@ static const char *command_text(const sepax_design *design, const sepax_output *
   return command;
 }
 
+/* What the datasheet says of the cost. */
+static bool costs_of(const sepax_design *design, sheet_costs *costs, sepax_error *error) {
+  sepax_estimate e;
+  if (!sepax_estimate_design(design, &e, error)) {
+    return false;
+  }
+  *costs = (sheet_costs){.pairs = e.pairs,
+                         .compared = e.compared,
+                         .memory_bits = e.memory_bits,
+                         .gates_known = e.gates_known,
+                         .gates = e.gates,
+                         .gates_error = e.gates_error,
+                         .flip_flops = e.flip_flops,
+                         .flip_flops_error = e.flip_flops_error,
+                         .energy_known = e.energy_known};
+  for (int i = 0; i < SHEET_ENERGIES; i++) {
+    costs->energy[i] = e.energy[i];
+    costs->energy_error[i] = e.energy_error[i];
+  }
+  return true;
+}
+
 bool sepax_generate(sepax_design *design, const char *folder, const sepax_output *how,
                     sepax_error *error) {
   if (!generate_check(&design->config, error)) {
@@ -64,7 +87,8 @@ bool sepax_generate(sepax_design *design, const char *folder, const sepax_output
   if (ok) {
     emit_drop_unused(&e);
   }
-  ok = ok && gen_write(&e, folder, how, error);
+  sheet_costs costs;
+  ok = ok && costs_of(design, &costs, error) && gen_write(&e, folder, how, &costs, error);
   emit_free(&e);
   return ok;
 }

@@ -169,7 +169,7 @@ static bool generate(const multiplier_options *o, sepax_error *error) {
   if (!ok) {
     *error = e.error;
   }
-  ok = ok && gen_write(&e, o->folder, &(sepax_output){NULL}, error);
+  ok = ok && gen_write(&e, o->folder, &(sepax_output){NULL}, NULL, error);
   if (ok) {
     printf("%s: %s, product modulo 2^%d, latency %d\n", o->folder, arith_name(plan).text,
            (int)o->product, plan->latency);

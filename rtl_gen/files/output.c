@@ -7,6 +7,7 @@
 #include "engine/engine.h"
 #include "files/describe.h"
 #include "files/folder.h"
+#include "sheet/sheet.h"
 #include "util/error.h"
 
 #include <unistd.h>
@@ -43,7 +44,15 @@ static void render_registers(const sepax_design *d, folder_files *o) {
   }
 }
 
-static void render(emitter *e, const sepax_output *how, folder_files *o) {
+/* The datasheet, with the waveform of the handshake. */
+static void render_sheet(emitter *e, const sheet_costs *costs, folder_files *o) {
+  sheet_write(e, costs, false, folder_add(o, "doc/sepax", "md"));
+  sheet_write(e, costs, true, folder_add(o, "doc/sepax", "html"));
+  sheet_wave(e, true, folder_add(o, "doc/sepax_handshake", "svg"));
+  sheet_wave(e, false, folder_add(o, "doc/sepax_handshake", "json"));
+}
+
+static void render(emitter *e, const sepax_output *how, const sheet_costs *costs, folder_files *o) {
   const sepax_design *d = e->design;
   for (int i = first_file(e, how); i < e->modules; i++) {
     emit_text *file = folder_add(o, e->module[i]->name, "v");
@@ -73,12 +82,14 @@ static void render(emitter *e, const sepax_output *how, folder_files *o) {
     bench_write(e, how->vectors > 0 ? how->vectors : BENCH_VECTORS,
                 folder_add(o, "tb/sepax_tb", "v"));
   }
+  render_sheet(e, costs, o);
 }
 
-bool gen_write(emitter *e, const char *folder, const sepax_output *how, sepax_error *error) {
+bool gen_write(emitter *e, const char *folder, const sepax_output *how, const sheet_costs *costs,
+               sepax_error *error) {
   folder_files o;
   folder_init(&o, folder, e->prefix, e->modules + OTHER_FILES);
-  render(e, how, &o);
+  render(e, how, costs, &o);
   folder_rename(&o);
   if (how->absolute) {
     list_absolute(e, how, folder, folder_add(&o, "sepax_absolute", "f"));

@@ -43,7 +43,7 @@ int main(int argc, char **argv) {
     gen_tree_walk(&e, false, 3);
   }
   sepax_error error = e.error;
-  bool ok = emit_works(&e) && gen_write(&e, argv[1], &(sepax_output){NULL}, &error);
+  bool ok = emit_works(&e) && gen_write(&e, argv[1], &(sepax_output){NULL}, NULL, &error);
   emit_free(&e);
   if (!ok) {
     fprintf(stderr, "emit: %s\n", error.text);
