@@ -70,19 +70,75 @@ static void stated(const nc_leg *first, const nc_leg *second, const double far[2
   }
 }
 
+/* The rate and the gain of a straight motion that is not merged. */
+static void straight_pace(nc_leg *leg, const nc_limits limits[NC_AXES]) {
+  double rate = INFINITY, gain = INFINITY;
+  for (int i = 0; i < NC_AXES; i++) {
+    double way = fabs(leg->way->to[i] - leg->way->from[i]);
+    if (way > 0) {
+      rate = nc_least(rate, limits[i].speed / way);
+      gain = nc_least(gain, limits[i].acceleration / way);
+    }
+  }
+  if (rate > 0 && gain > 0 && isfinite(rate) && isfinite(gain)) {
+    leg->rate = rate;
+    leg->gain = gain;
+    leg->brake = 2 * rate / gain;
+  }
+}
+
+void nc_blend_pace(nc_leg *leg, const nc_limits limits[NC_AXES]) {
+  double ratio = 0, speed = 0, acceleration = INFINITY;
+  leg->rate = leg->gain = leg->brake = 0;
+  if (!leg->merges && !leg->arcs) {
+    straight_pace(leg, limits);
+    return;
+  }
+  for (int i = 0; i < NC_AXES; i++) {
+    if (leg->moves[i]) {
+      ratio = nc_most(ratio, limits[i].speed / limits[i].acceleration);
+      speed = nc_most(speed, limits[i].speed);
+      acceleration = nc_least(acceleration, limits[i].acceleration);
+    }
+  }
+  if (speed > 0 && acceleration > 0 && isfinite(ratio)) {
+    leg->brake = 2 * (leg->arcs ? 2 * sqrt(3.0) * speed / acceleration : ratio);
+  }
+}
+
+/* The shares of both motions that are in the blend. */
+static void find_shares(const nc_leg *first, const nc_leg *second, double servo, double share[2]) {
+  const double more = 1.05;
+  share[0] = share[1] = 1;
+  if (servo > 0 && first->rate > 0) {
+    double left = more * first->rate * first->rate / first->gain + 2 * first->rate * servo;
+    share[0] = nc_least(1, left);
+  }
+  if (servo > 0 && first->brake > 0 && second->rate > 0) {
+    double time = more * first->brake + 2 * servo;
+    double grown = more * second->gain * time * time / 2;
+    share[1] = nc_least(1, nc_least(second->rate * time, grown));
+  }
+}
+
 static bool shifts(const nc_leg *leg) { return leg->moves[0] || leg->moves[1] || leg->moves[2]; }
 
 static double largest(const double *off) { return nc_most(nc_most(off[0], off[1]), off[2]); }
 
 void nc_blend_corner(const nc_leg *first, const nc_leg *second, nc_blend blend, double within,
-                     double off[NC_AXES]) {
-  double far[2][NC_AXES], whole[NC_AXES];
+                     double servo, double off[NC_AXES]) {
+  double far[2][NC_AXES], whole[NC_AXES], share[2];
   memset(off, 0, NC_AXES * sizeof *off);
   if (blend == NC_EXACT) {
     return;
   }
   reach(first->way, first->way->to, far[0]);
   reach(second->way, second->way->from, far[1]);
+  find_shares(first, second, servo, share);
+  for (int i = 0; i < NC_AXES; i++) {
+    far[0][i] = nc_least(far[0][i], share[0] * far[0][i] * (1 + 0x1p-40));
+    far[1][i] = nc_least(far[1][i], share[1] * far[1][i] * (1 + 0x1p-40));
+  }
   parallelogram((const double(*)[NC_AXES])far, whole);
   bool merges = first->merges || second->merges;
   if (blend == NC_UNBOUNDED || (!merges && (!shifts(first) || !shifts(second)))) {

@@ -19,6 +19,17 @@
  * Without P, or if X, Y, Z do not move: x differs from the point -a d1 of the first motion by b d2,
  * which is at most all of the second motion; or the other way round.
  *
+ * How much of two motions is in the blend. LinuxCNC begins the second when the first is in its last
+ * deceleration, and in a blend each has half of its acceleration. Let n be the greatest rate of a
+ * straight motion, that is, the greatest share of it in a second, and g the greatest change of the
+ * rate in a second: the limits of the axes divided by their ways. Then at most n1^2 / g1 is left of
+ * the first motion, and it takes at most t = 2 n1 / g1 more. In this time the second does at most
+ * min(n2 t, g2 t^2 / 2). If the first is merged of others, then its way is not known; but n1 = v_i
+ * / way_i at most for the axis i that g1 is of, so t is at most 2 v_i / a_i of some axis that
+ * moves. On an arc the speed is at most the root of 3 times the greatest of its axes, and half of
+ * the least acceleration is left along the way. All is raised by a twentieth and by two periods of
+ * the servo. The simulator's joints are compared with this (tb/nc/rows_simulated).
+ *
  * LinuxCNC merges lines only if they are feeds that move nothing but X, Y, Z. If a motion may be
  * merged, or is an arc, then 2. and 3. do not hold, and the manual's word is taken instead: X, Y, Z
  * stay within P of the way, or within P + Q with merging. An arc may be replaced by two lines
@@ -34,12 +45,18 @@ typedef struct {
   bool moves[NC_AXES]; /* in this motion, or in one that it may be merged with */
   bool merges;         /* it may be merged with others, or be replaced */
   bool arcs;           /* it is an arc, or may be merged with one */
+  double rate, gain; /* of a motion that is straight and not merged, 1/s and 1/s^2; 0: not known */
+  double brake;      /* s, of its last deceleration in a blend; 0: not known */
 } nc_leg;
 
+/* Fill in the last three fields of a leg whose other fields are there. */
+void nc_blend_pace(nc_leg *leg, const nc_limits limits[NC_AXES]);
+
 /* The blend of two motions that follow each other: per axis, how far the control may be from a
- * point of these motions, in mm and degrees. `within` is in mm; it counts if blend is NC_WITHIN. */
+ * point of these motions, in mm and degrees. `within` is in mm; it counts if blend is NC_WITHIN.
+ * `servo`: its period, s. */
 void nc_blend_corner(const nc_leg *first, const nc_leg *second, nc_blend blend, double within,
-                     double off[NC_AXES]);
+                     double servo, double off[NC_AXES]);
 
 /* The same per joint, in m and rad: the axes are at most `off` away from a point of both ways. By
  * the mean value theorem a joint then differs by at most the sum over the axes of `off` times the

@@ -172,15 +172,15 @@ typedef struct {
 } entry;
 
 static const entry entries[] = {
-    {"file", nc_read_file, NULL},    {"machine", nc_read_machine, NULL},
-    {"joint", nc_read_joint, NULL},  {"parameter", nc_read_parameter, NULL},
-    {"tool", nc_read_tool, NULL},    {"start", nc_read_start, NULL},
-    {"servo", nc_read_servo, NULL},  {"move", NULL, read_move},
-    {"arc", NULL, read_arc},         {"dwell", NULL, read_dwell},
-    {"load", NULL, read_load},       {"length", NULL, read_length},
-    {"spindle", NULL, read_spindle}, {"kins", NULL, read_kins},
-    {"blend", NULL, read_blend},     {"note", NULL, read_note},
-    {"end", NULL, read_end},
+    {"file", nc_read_file, NULL},   {"machine", nc_read_machine, NULL},
+    {"joint", nc_read_joint, NULL}, {"parameter", nc_read_parameter, NULL},
+    {"tool", nc_read_tool, NULL},   {"start", nc_read_start, NULL},
+    {"servo", nc_read_servo, NULL}, {"limits", nc_read_limits, NULL},
+    {"move", NULL, read_move},      {"arc", NULL, read_arc},
+    {"dwell", NULL, read_dwell},    {"load", NULL, read_load},
+    {"length", NULL, read_length},  {"spindle", NULL, read_spindle},
+    {"kins", NULL, read_kins},      {"blend", NULL, read_blend},
+    {"note", NULL, read_note},      {"end", NULL, read_end},
 };
 
 static bool read_action(nc_reader *r, const entry *e) {

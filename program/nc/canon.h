@@ -72,6 +72,12 @@ typedef struct {
   double acceleration; /* its greatest, in mm/s^2 or degrees/s^2; 0: not known */
 } nc_joint;
 
+/* Of coordinated motion, in mm or degrees and seconds; 0: not known. */
+typedef struct {
+  double speed;        /* at most */
+  double acceleration; /* that the planner may use */
+} nc_limits;
+
 typedef struct {
   int number, pocket;
   double diameter;
@@ -89,6 +95,7 @@ typedef struct {
   double servo; /* period of the servo loop, s; 0: not known */
   nc_joint joint[NC_JOINTS_MOST];
   size_t joints;
+  nc_limits limits[NC_AXES];
   nc_tool *tool;
   size_t tools;
   bool start_given; /* otherwise the machine is taken to start from home */

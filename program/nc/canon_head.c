@@ -90,6 +90,32 @@ bool nc_read_servo(nc_reader *r) {
           nc_refuse(&r->words, "%.9g s is no period of a servo loop", *period));
 }
 
+/* The axis of a letter; -1 after a refusal. */
+static int axis_of(nc_reader *r, const char *letter) {
+  int axis = letter[1] == '\0' ? nc_axis(letter[0]) : -1;
+  if (axis < 0) {
+    nc_refuse(&r->words, "axis '%.40s' is none of: %s", letter, "XYZABCUVW");
+  }
+  return axis;
+}
+
+bool nc_read_limits(nc_reader *r) {
+  char letter[NC_NAME];
+  nc_limits limits;
+  if (!nc_take_name(&r->words, "axis of limits", letter) ||
+      !nc_take_number(&r->words, "greatest speed", &limits.speed) ||
+      !nc_take_number(&r->words, "greatest acceleration", &limits.acceleration)) {
+    return false;
+  }
+  int axis = axis_of(r, letter);
+  if (axis < 0) {
+    return false;
+  }
+  r->program->limits[axis] = limits;
+  return (limits.speed >= 0 && limits.acceleration >= 0) ||
+         nc_refuse(&r->words, "axis %s: a limit is below 0", letter);
+}
+
 bool nc_read_joint(nc_reader *r) {
   static const char *const kinds[] = {"linear", "angular", NULL};
   nc_program *p = r->program;
@@ -105,9 +131,9 @@ bool nc_read_joint(nc_reader *r) {
     return nc_refuse(&r->words, "joint %ld follows %zu joints; number them from 0, in order",
                      number, p->joints);
   }
-  int axis = letter[1] == '\0' ? nc_axis(letter[0]) : -1;
+  int axis = axis_of(r, letter);
   if (axis < 0) {
-    return nc_refuse(&r->words, "axis '%.40s' is none of: %s", letter, "XYZABCUVW");
+    return false;
   }
   nc_joint *to = &p->joint[p->joints];
   *to = (nc_joint){.axis = axis, .angular = angular == 1};

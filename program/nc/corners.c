@@ -95,7 +95,10 @@ static void blend_corner(nc_rows *r, size_t n, nc_leg before, nc_leg after) {
   double off[NC_AXES], joint[NC_JOINTS_MOST];
   before.way = &way[0];
   after.way = &way[1];
-  nc_blend_corner(&before, &after, blend, nc_most(first->within, second->within), off);
+  nc_blend_pace(&before, r->motion->program.limits);
+  nc_blend_pace(&after, r->motion->program.limits);
+  nc_blend_corner(&before, &after, blend, nc_most(first->within, second->within),
+                  r->motion->program.servo, off);
   nc_blend_joints(&r->state[second->state], &way[0], &way[1], off, joint);
   raise_rows(r, first, joint);
   raise_rows(r, second, joint);

@@ -33,7 +33,8 @@
  * are blended; the record has E = P + Q. blending[j] then bounds, for the rows of both motions, how
  * far joint j may be from the nearest true position without blending; it is to be added to
  * deviation[j]. blend.h derives it. Without P it is finite, too, because both motions are: the
- * position is in a parallelogram. */
+ * position is in a parallelogram, of which the speeds and accelerations of the axes leave a part.
+ */
 #ifndef SEPAX_NC_H
 #define SEPAX_NC_H
 

@@ -24,6 +24,7 @@ bool nc_read_file(nc_reader *r);
 bool nc_read_machine(nc_reader *r);
 bool nc_read_parameter(nc_reader *r);
 bool nc_read_joint(nc_reader *r);
+bool nc_read_limits(nc_reader *r);
 bool nc_read_servo(nc_reader *r);
 bool nc_read_tool(nc_reader *r);
 bool nc_read_start(nc_reader *r);

@@ -87,8 +87,8 @@ static const struct argp_option options[] = {
      "own time",
      0},
     {"blended", KEY_BLENDED, NULL, 0,
-     "count the rounding of corners of G64 without P as a deviation; it has no bound but the "
-     "motions themselves (default: exact corners)",
+     "count the rounding of corners of G64 without P as a deviation, by the speeds and "
+     "accelerations of the ini (default: exact corners)",
      0},
     {"deviation", KEY_DEVIATION, "LENGTH", 0,
      "motions of an NC program that are curved in the joints are divided until each joint is at "

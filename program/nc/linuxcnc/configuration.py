@@ -128,6 +128,16 @@ class Machine:
         kind = "linear" if linear else "angular"
         return self.letters[number], kind, low, high, fastest, home
 
+    def limits(self):
+        """Speed and acceleration of each axis in coordinated motion, 0 where the ini is silent."""
+        for letter in AXES:
+            kind, unit = ("ANGULAR", 1.0) if letter in "ABC" else ("LINEAR", self.scale)
+            speed, fastest = (self.ini.number(f"AXIS_{letter}", name, 0.0) * unit
+                              for name in ("MAX_VELOCITY", "MAX_ACCELERATION"))
+            most = self.ini.number("TRAJ", f"MAX_{kind}_ACCELERATION", 0.0) * unit
+            if speed > 0 and fastest > 0:
+                yield letter, speed, min(fastest, most) if most > 0 else fastest
+
     def servo_period(self):
         """In seconds; 0 if the ini does not tell it."""
         return self.ini.number("EMCMOT", "SERVO_PERIOD", 0.0) * 1e-9

@@ -138,6 +138,8 @@ class Job:
         yield f"servo {machine.servo_period()!r}"
         for number, (axis, kind, low, high, fastest, _) in enumerate(machine.joints):
             yield f"joint {number} {axis} {kind} {low!r} {high!r} {fastest!r}"
+        for letter, speed, fastest in machine.limits():
+            yield f"limits {letter} {speed!r} {fastest!r}"
         for tool in self.tools:
             offset = [v * machine.scale if i in LENGTHS else v for i, v in enumerate(tool.offset)]
             width = tool.diameter * machine.scale

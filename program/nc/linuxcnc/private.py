@@ -134,6 +134,7 @@ def first_codes(job):
     startup = job.ini.get("RS274NGC", "RS274NGC_STARTUP_CODE")
     if startup:
         codes.append(startup.split("#")[0])
+        codes.append("G64")  # LinuxCNC 2.9 forgets G61 and G64 P of this code at an emergency stop
     if job.hal_pins:
         codes.append("#<_hal[motion.switchkins-type]> = 0")
         for name, (value, times) in job.parameters.items():

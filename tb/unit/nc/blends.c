@@ -141,7 +141,7 @@ static void look_at(const corner *c, const blend *s, nc_blend kind, double withi
   nc_kinematics k = kinematics_of(&m);
   nc_leg first = leg_of(&c->way[0]), second = leg_of(&c->way[1]);
   double off[NC_AXES], joint[NC_JOINTS_MOST];
-  nc_blend_corner(&first, &second, kind, within, off);
+  nc_blend_corner(&first, &second, kind, within, 0, off);
   nc_blend_joints(&k, &c->way[0], &c->way[1], off, joint);
   for (int step = 0; step <= STEPS; step++) {
     wide x[NC_AXES], a, b, t[2] = {0, 0};
@@ -203,6 +203,66 @@ CASE(test_unbounded) {
   assert_found();
 }
 
+/* The first motion brakes from its speed with half of its acceleration, the second speeds up with
+ * half of its own meanwhile. */
+static void look_at_pace(const corner *c, nc_leg leg[2], double share) {
+  enum { NEVER = 64 };
+  double off[NC_AXES], servo = 0.001;
+  wide speed = (wide)share * leg[0].rate, g1 = leg[0].gain / 2, g2 = leg[1].gain / 2;
+  speed = fminl(speed, sqrtl(2 * g1)); /* it has not more than all of its way to brake */
+  nc_blend_corner(&leg[0], &leg[1], NC_UNBOUNDED, 0, servo, off);
+  for (int step = 0; step <= STEPS; step++) {
+    wide time = speed / g1 * step / STEPS, x[NC_AXES], t;
+    wide a = (speed - g1 * time) * (speed - g1 * time) / (2 * g1);
+    wide grows = fminl(time, leg[1].rate / g2);
+    wide b = g2 * grows * grows / 2 + leg[1].rate * (time - grows);
+    position(c, a, fminl(b, 1), x);
+    wide by = fminl(needed(&c->way[0], x, off, &t), needed(&c->way[1], x, off, &t));
+    if (!(by <= 1 + 1e-7L)) {
+      fail_msg("a position is at %Lg times the bound", by < NEVER ? by : NEVER);
+    }
+    found.worst = fmaxl(found.worst, by);
+    found.count++;
+  }
+}
+
+CASE(test_pace) {
+  memset(&found, 0, sizeof found);
+  for (int n = 0; n < FEWER(2000); n++) {
+    corner c = random_corner(n % 2 == 0);
+    nc_limits limits[NC_AXES];
+    nc_leg leg[2] = {leg_of(&c.way[0]), leg_of(&c.way[1])};
+    for (int i = 0; i < NC_AXES; i++) {
+      limits[i].speed = 10 * pow(10, fabs(random_unit()));
+      limits[i].acceleration = 100 * pow(10, fabs(random_unit()));
+    }
+    nc_blend_pace(&leg[0], limits);
+    nc_blend_pace(&leg[1], limits);
+    assert_true(leg[0].rate > 0 && leg[1].rate > 0);
+    look_at_pace(&c, leg, n % 3 == 0 ? 1 : fabs(random_unit()));
+  }
+  assert_found();
+}
+
+/* Without the limits of an axis that moves nothing is known, and merged motions have no rate. */
+CASE(test_pace_not_known) {
+  corner c = random_corner(true);
+  nc_limits limits[NC_AXES];
+  nc_leg leg = leg_of(&c.way[0]);
+  for (int i = 0; i < NC_AXES; i++) {
+    limits[i] = (nc_limits){30, 300};
+  }
+  leg.merges = true;
+  nc_blend_pace(&leg, limits);
+  assert_true(leg.rate == 0 && leg.brake >= 2 * 0.1);
+  limits[NC_C] = (nc_limits){0, 0};
+  nc_blend_pace(&leg, limits);
+  assert_true(leg.rate == 0 && leg.brake == 0);
+  leg.merges = false;
+  nc_blend_pace(&leg, limits);
+  assert_true(leg.rate == 0 && leg.brake == 0);
+}
+
 /* In X, Y, Z the bound is no more than the tolerance, and no axis has one that does not move. */
 CASE(test_tolerance_is_enough) {
   for (int n = 0; n < FEWER(1000); n++) {
@@ -212,7 +272,7 @@ CASE(test_tolerance_is_enough) {
     c.way[0].from[still] = c.way[0].to[still];
     c.way[1].to[still] = c.way[1].from[still];
     nc_leg first = leg_of(&c.way[0]), second = leg_of(&c.way[1]);
-    nc_blend_corner(&first, &second, NC_WITHIN, within, off);
+    nc_blend_corner(&first, &second, NC_WITHIN, within, 0, off);
     for (int i = 0; i < NC_AXES; i++) {
       assert_true(off[i] <= within * (1 + 1e-9));
       assert_true(off[i] == 0 || (i < 3 && i != still));
