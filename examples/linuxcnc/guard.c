@@ -7,8 +7,8 @@
 
 const char *guard_reason_text(guard_reason reason) {
   static const char *const TEXT[] = {
-      "none",           "near",           "may be near",  "not homed", "a number is not valid",
-      "tool not known", "a joint jumped", "query refused"};
+      "none",           "near",           "may be near",   "not homed",    "a number is not valid",
+      "tool not known", "a joint jumped", "query refused", "left the tube"};
   return TEXT[reason];
 }
 
@@ -27,32 +27,52 @@ static bool resting(const guard_settings *s, const guard_input *in) {
 
 static bool on_path(const guard_settings *s, size_t n) { return strchr("XYZ", s->axis[n]) != NULL; }
 
-static double way_of_path(const guard_settings *s, const guard_input *in, double d) {
+/* Coordinated motion: the greatest speed along X, Y and Z when it begins to brake, and how long it
+ * brakes then. */
+typedef struct {
+  double speed, time;
+} path_brake;
+
+/* A joint that rested in the period before, too, is part of no motion now. */
+static bool rests(const guard_input *in, size_t n, const double *before) {
+  return before != NULL && in->velocity[n] == 0 && before[n] == 0;
+}
+
+static path_brake brake_of_path(const guard_settings *s, const guard_input *in,
+                                const double *before, double d) {
   double square = 0;
   double growth = 0;
   double least = INFINITY;
+  path_brake path = {0, 0};
   for (size_t n = 0; n < s->joints; n++) {
+    const double a = in->acceleration[n];
     if (on_path(s, n)) {
       square += in->velocity[n] * in->velocity[n];
-      growth += in->acceleration[n] * in->acceleration[n];
-      least = fmin(least, in->acceleration[n]);
+      growth += a * a;
+      least = fmin(least, a);
+    } else {
+      path.time = fmax(path.time, rests(in, n, before) ? d : in->fastest[n] / a);
     }
   }
-  return way(fmax(sqrt(square), fabs(in->speed)) + sqrt(growth) * d, s->brake * least, d);
+  path.speed = fmax(sqrt(square), fabs(in->speed)) + sqrt(growth) * d;
+  path.time = fmax(path.time, path.speed / least) / s->brake;
+  return path;
 }
 
-void guard_reach(const guard_settings *s, const guard_input *in, double low[GUARD_JOINTS_MOST],
-                 double high[GUARD_JOINTS_MOST]) {
+void guard_reach(const guard_settings *s, const guard_input *in, const double *before,
+                 double low[GUARD_JOINTS_MOST], double high[GUARD_JOINTS_MOST]) {
   const double d = s->reaction * in->period;
-  const bool rest = resting(s, in);
-  const double path = in->coordinated ? way_of_path(s, in, d) : 0;
+  const path_brake path = brake_of_path(s, in, before, d);
   for (size_t n = 0; n < s->joints; n++) {
     const double a = in->acceleration[n];
     if (!in->coordinated) {
       high[n] = way(in->velocity[n] + a * d, a, d);
       low[n] = -way(a * d - in->velocity[n], a, d);
     } else {
-      high[n] = on_path(s, n) ? path : way(rest ? a * d : in->fastest[n], s->brake * a, d);
+      const bool still = rests(in, n, before);
+      high[n] = on_path(s, n) ? path.speed * (d + path.time / 2)
+                : still       ? way(a * d, s->brake * a, d)
+                              : in->fastest[n] * (d + path.time / 2);
       low[n] = -high[n];
     }
   }
@@ -62,10 +82,11 @@ void guard_reach(const guard_settings *s, const guard_input *in, double low[GUAR
  * if their axes are at right angles, then they move no body by more than the way of the path: a
  * ball, where the box would count this way three times. The factors cover the rounding of all this
  * and of `square`. */
-static void cover(guard_machine *m, const guard_settings *s, const guard_input *in) {
+static void cover(guard_machine *m, const guard *g, const guard_input *in) {
+  const guard_settings *s = &g->settings;
   double low[GUARD_JOINTS_MOST];
   double high[GUARD_JOINTS_MOST];
-  guard_reach(s, in, low, high);
+  guard_reach(s, in, g->seen ? g->before : NULL, low, high);
   m->apart = 0;
   for (size_t n = 0; n < s->joints; n++) {
     if (in->coordinated && m->square && on_path(s, n)) {
@@ -157,6 +178,19 @@ static guard_reason failure(guard *g, const guard_input *in) {
   return jumped(g, in) ? GUARD_JUMP : GUARD_NO_REASON;
 }
 
+/* Programs and MDI move in the tube of a certified program. */
+static bool in_tube(guard *g, const guard_input *in, guard_output *out) {
+  const bool was = g->place.inside;
+  if (g->tube == NULL || !in->coordinated) {
+    g->place.inside = false;
+    return false;
+  }
+  out->in_tube = tube_inside(g->tube, &g->place, in->position, in->velocity, in->acceleration,
+                             in->tool, in->period);
+  g->left = was && !out->in_tube;
+  return out->in_tube;
+}
+
 static void latch(guard *g, guard_reason reason) {
   if (!g->latched) {
     g->reason = reason;
@@ -170,14 +204,22 @@ static void latch(guard *g, guard_reason reason) {
 static void run(guard *g, guard_machine *m, const guard_input *in, guard_output *out) {
   const guard_settings *s = &g->settings;
   sepax_machine_answer answer;
-  cover(m, s, in);
+  if (in_tube(g, in, out)) {
+    out->least = g->tube->free_of / s->unit;
+    out->most = INFINITY;
+    g->slow = false;
+    return;
+  }
+  cover(m, g, in);
   if (!ask(m, s, s->clearance, m->travel, true, &answer)) {
     latch(g, GUARD_QUERY);
     return;
   }
   report(m, s, &answer, out);
   if (answer.verdict != SEPAX_APART) {
-    latch(g, answer.verdict == SEPAX_NEAR ? GUARD_IS_NEAR : GUARD_MAY_BE_NEAR);
+    latch(g, g->left                        ? GUARD_LEFT_TUBE
+             : answer.verdict == SEPAX_NEAR ? GUARD_IS_NEAR
+                                            : GUARD_MAY_BE_NEAR);
     return;
   }
   const double leave = s->clearance + 1.1 * s->slow_zone;
@@ -211,7 +253,7 @@ static size_t farthest(const guard_machine *m, const guard_settings *s) {
  * The pieces share the work of one query. */
 static bool apart_in_pieces(guard_machine *m, const guard_settings *s, double clearance,
                             guard_output *out) {
-  enum { PIECES = 4 };
+  enum { PIECES = 8 };
   guard_settings piece = *s;
   sepax_machine_answer answer;
   const size_t joint = farthest(m, s);
@@ -237,13 +279,14 @@ static void hold(guard *g, guard_machine *m, const guard_input *in, bool reset, 
   sepax_machine_answer answer;
   out->jog_stop = true;
   g->rebase = g->rebase || reset;
-  cover(m, s, in);
+  cover(m, g, in);
   const bool rest = resting(s, in);
+  const bool tubed = in_tube(g, in, out);
   if (!ask(m, s, s->clearance, m->travel, true, &answer)) {
     return;
   }
   report(m, s, &answer, out);
-  if (reset && rest && answer.verdict == SEPAX_APART) {
+  if (reset && rest && (tubed || answer.verdict == SEPAX_APART)) {
     g->latched = false;
     g->reason = GUARD_NO_REASON;
     out->jog_stop = false;
@@ -270,6 +313,7 @@ static void finish(guard *g, const guard_input *in, guard_output *out) {
   out->feed_inhibit = stopped;
   out->feed_scale = stopped ? 0 : g->slow ? g->settings.slow_scale : 1;
   memcpy(g->last, in->position, sizeof g->last);
+  memcpy(g->before, in->velocity, sizeof g->before);
   g->reset_was = in->reset;
 }
 

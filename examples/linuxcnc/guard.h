@@ -8,13 +8,24 @@
  * lets the machine move, the bodies of each pair are farther apart than the clearance in the whole
  * box. When this is not proved, it stops the machine, which then comes to rest within the box of
  * the period before. guard_reach has the bounds and what they take for granted.
+ *
+ * A program that was certified before needs none of this while the joints are in its tube (tube.h):
+ * the bodies are farther apart than the clearance wherever they are in it. The guard takes for
+ * granted that the control goes on in the tube. As soon as it does not, all of the above holds
+ * again, though perhaps too late for what has come near at speed.
  */
 #ifndef GUARD_H
 #define GUARD_H
 
 #include "sepax_robot.h"
+#include "tube.h"
 
-enum { GUARD_JOINTS_MOST = 9, GUARD_TOOLS_MOST = 16, GUARD_TEXT = 640 };
+enum {
+  GUARD_JOINTS_MOST = TUBE_JOINTS_MOST,
+  GUARD_TOOLS_MOST = 16,
+  GUARD_TEXT = 640,
+  GUARD_WORK = 1000
+};
 
 typedef enum {
   GUARD_BLIND, /* not homed: positions mean nothing. Motion is stopped, homing is not touched */
@@ -31,7 +42,8 @@ typedef enum {
   GUARD_NOT_A_NUMBER, /* a position, velocity, limit or the period is not finite or not positive */
   GUARD_TOOL,         /* no machine was loaded for the tool in the spindle */
   GUARD_JUMP,         /* a joint moved farther than its velocity says: a missed period */
-  GUARD_QUERY         /* the query was refused */
+  GUARD_QUERY,        /* the query was refused */
+  GUARD_LEFT_TUBE     /* the program went another way than the certified one, near bodies */
 } guard_reason;
 
 typedef struct {
@@ -70,6 +82,7 @@ typedef struct {
   size_t nearest[2];  /* numbers of links; SEPAX_NO_PAIR if none was measured */
   double least, most; /* the least distance of any pair lies between them; the control's units. With
                          state GUARD_FREE it is the one over the whole box of guard_reach */
+  bool in_tube; /* the program is in its tube: no body was compared, and least is its clearance */
   uint64_t work;
 } guard_output;
 
@@ -86,6 +99,13 @@ typedef struct {
 guard *guard_new(const guard_settings *settings, const guard_tool *tool, size_t tools, char *text);
 void guard_free(guard *g);
 
+/* From now on programs and MDI may move in this tube; NULL: in none. The guard keeps the pointer.
+ */
+void guard_use_tube(guard *g, const tube *t);
+
+/* Fill in the first part of a tube of this guard, with room for `rows`: tube_size bytes, all 0. */
+void guard_begin_tube(const guard *g, tube *t, uint64_t rows);
+
 /* Judge one period. Real time: no allocation, lock, file or clock; at most two queries of
  * `work` units. */
 void guard_step(guard *g, const guard_input *in, guard_output *out);
@@ -100,12 +120,16 @@ void guard_step(guard *g, const guard_input *in, guard_output *out);
  *
  * Coordinated motion. The planner brakes along the path, whose direction may change. Let V be the
  * speed of the path, that is, the sum of the speeds of the segments that it blends, and A the least
- * a_j of the axes X, Y, Z. V grows by at most |(a_x, a_y, a_z)| d. A straight segment brakes with
- * at least A; blending and arcs leave it the share `brake`. So none of X, Y, Z moves farther than
- * V d + V^2 / (2 brake A). The speed of another axis is not that of the path: it counts as the
- * fastest of the joint, unless all rest. */
-void guard_reach(const guard_settings *s, const guard_input *in, double low[GUARD_JOINTS_MOST],
-                 double high[GUARD_JOINTS_MOST]);
+ * a_j of the axes X, Y, Z. V grows by at most |(a_x, a_y, a_z)| d. From then on no segment speeds
+ * up. A straight segment brakes with the acceleration that gives one of its axes its a_j; blending
+ * and arcs leave it the share `brake`. So braking takes at most T = max(V / A, w_j / a_j) / brake,
+ * with w_j the fastest of each other axis j. None of X, Y, Z moves farther than V d + V T / 2,
+ * another axis no farther than w_j d + w_j T / 2: of two segments that are blended, one may turn it
+ * forward and the other backward, so its velocity does not say more. But if it rested also in the
+ * period before, then no segment turns it yet, and it may only begin to: w_j = a_j d, and it brakes
+ * with brake a_j. `before`: the velocities then, or NULL. */
+void guard_reach(const guard_settings *s, const guard_input *in, const double *before,
+                 double low[GUARD_JOINTS_MOST], double high[GUARD_JOINTS_MOST]);
 
 const char *guard_reason_text(guard_reason reason);
 

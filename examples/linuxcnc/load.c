@@ -47,6 +47,9 @@ static bool map_joints(guard_machine *m, const guard_settings *s, char *text) {
     driven += sepax_joint_driven(&mechanism->joint[k]) ? 1 : 0;
   }
   for (size_t n = 0; n < s->joints; n++) {
+    if (strlen(s->name[n]) >= TUBE_NAME) {
+      return say(text, "joint %s: the name has more than 63 bytes", s->name[n]);
+    }
     m->joint[n] = sepax_robot_joint(&m->robot.robot, s->name[n]);
     if (m->joint[n] == SEPAX_NO_JOINT || !sepax_joint_driven(&mechanism->joint[m->joint[n]])) {
       return say(text, "joint %s is not in the URDF, or has no value of its own", s->name[n]);
@@ -155,6 +158,19 @@ void guard_free(guard *g) {
     free(m->travel);
   }
   free(g);
+}
+
+void guard_use_tube(guard *g, const tube *t) { g->tube = t; }
+
+void guard_begin_tube(const guard *g, tube *t, uint64_t rows) {
+  t->magic = TUBE_MAGIC;
+  t->joints = (uint32_t)g->settings.joints;
+  t->most = rows;
+  t->clearance = g->settings.clearance;
+  for (size_t n = 0; n < g->settings.joints; n++) {
+    t->scale[n] = g->tool[0].scale[n];
+    snprintf(t->name[n], TUBE_NAME, "%.*s", TUBE_NAME - 1, g->settings.name[n]);
+  }
 }
 
 const char *guard_link_name(const guard *g, size_t link) {

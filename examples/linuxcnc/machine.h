@@ -27,8 +27,11 @@ struct guard {
   bool rebase;  /* `kept` is set anew as soon as the joints rest */
   bool reset_was;
   double kept; /* while latched: jogs keep the bodies farther apart than this, in metres */
-  double last[GUARD_JOINTS_MOST];
+  double last[GUARD_JOINTS_MOST], before[GUARD_JOINTS_MOST]; /* position, velocity */
   guard_reason reason;
+  const tube *tube;
+  tube_place place; /* in it */
+  bool left;        /* the machine was in the tube one period before, and is not now */
 };
 
 #endif

@@ -42,8 +42,10 @@ static char *brake;
 RTAPI_MP_STRING(brake, "share of the acceleration that certainly brakes");
 static int reaction = 10;
 RTAPI_MP_INT(reaction, "periods from a verdict to braking");
-static int work = 1000;
+static int work = GUARD_WORK;
 RTAPI_MP_INT(work, "units of work of a query");
+static int tube_rows = 100000;
+RTAPI_MP_INT(tube_rows, "room for the tube of a program; 0: no tube");
 
 /* The pins are in HAL's shared memory. */
 typedef struct {
@@ -53,7 +55,7 @@ typedef struct {
   hal_bit_t *coordinated, *homed, *reset;
   hal_s32_t *tool;
   hal_float_t *feed_scale, *least, *most;
-  hal_bit_t *feed_inhibit, *jog_stop, *ok, *slow, *stopped, *heartbeat;
+  hal_bit_t *feed_inhibit, *jog_stop, *ok, *slow, *stopped, *in_tube, *heartbeat;
   hal_s32_t *state, *reason, *nearest[2];
   hal_u32_t *work, *stops;
 } pins;
@@ -62,6 +64,7 @@ static pins *pin;
 static guard *the_guard;
 static guard_settings settings;
 static int component = -1;
+static int memory = -1; /* of the tube */
 
 static bool complain(const char *what, const char *value) {
   rtapi_print_msg(RTAPI_MSG_ERR, "sepax_guard: %s%s\n", what, value);
@@ -99,6 +102,7 @@ static void check(void *unused, long period) {
   *pin->ok = !out.feed_inhibit;
   *pin->slow = out.state == GUARD_SLOW;
   *pin->stopped = stopped;
+  *pin->in_tube = out.in_tube;
   *pin->state = (hal_s32_t)out.state;
   *pin->reason = (hal_s32_t)out.reason;
   for (int side = 0; side < 2; side++) {
@@ -147,8 +151,8 @@ static bool outputs_made(void) {
          bit(HAL_OUT, &pin->feed_inhibit, "feed-inhibit") &&
          bit(HAL_OUT, &pin->jog_stop, "jog-stop") && bit(HAL_OUT, &pin->ok, "ok") &&
          bit(HAL_OUT, &pin->slow, "slow") && bit(HAL_OUT, &pin->stopped, "stopped") &&
-         bit(HAL_OUT, &pin->heartbeat, "heartbeat") && integer(HAL_OUT, &pin->state, "state") &&
-         integer(HAL_OUT, &pin->reason, "reason") &&
+         bit(HAL_OUT, &pin->in_tube, "in-tube") && bit(HAL_OUT, &pin->heartbeat, "heartbeat") &&
+         integer(HAL_OUT, &pin->state, "state") && integer(HAL_OUT, &pin->reason, "reason") &&
          integer(HAL_OUT, &pin->nearest[0], "nearest-a") &&
          integer(HAL_OUT, &pin->nearest[1], "nearest-b") && real(HAL_OUT, &pin->least, "least") &&
          real(HAL_OUT, &pin->most, "most") &&
@@ -193,6 +197,9 @@ static bool settings_read(void) {
   settings.slow_zone *= settings.unit;
   settings.reaction = reaction;
   settings.work = work > 0 ? (uint64_t)work : 0;
+  if (tube_rows < 0 || tube_rows > TUBE_ROWS_MOST) {
+    return complain("tube_rows is 0 ... 10000000", "");
+  }
   while (settings.joints < GUARD_JOINTS_MOST && joints[settings.joints] != NULL) {
     settings.name[settings.joints] = joints[settings.joints];
     settings.joints++;
@@ -219,7 +226,28 @@ static bool guard_made(void) {
   return the_guard != NULL || complain(text, "");
 }
 
+/* The memory in which `sepax_guard_tube` puts a tube. */
+static bool tube_made(void) {
+  void *at = NULL;
+  if (tube_rows == 0) {
+    return true;
+  }
+  const size_t bytes = tube_size(settings.joints, (uint64_t)tube_rows);
+  memory = rtapi_shmem_new(TUBE_KEY, component, bytes);
+  if (memory < 0 || rtapi_shmem_getptr(memory, &at) < 0) {
+    return complain("no memory for tube_rows", "");
+  }
+  memset(at, 0, bytes); /* also takes its pages, before any period */
+  guard_begin_tube(the_guard, at, (uint64_t)tube_rows);
+  guard_use_tube(the_guard, at);
+  return true;
+}
+
 void rtapi_app_exit(void) {
+  if (memory >= 0) {
+    rtapi_shmem_delete(memory, component);
+  }
+  memory = -1;
   if (component >= 0) {
     hal_exit(component);
   }
@@ -235,7 +263,8 @@ int rtapi_app_main(void) {
   }
   component = hal_init("sepax_guard");
   if (component >= 0 && (pin = hal_malloc(sizeof *pin)) != NULL && inputs_made() &&
-      outputs_made() && hal_export_funct(NAME ".check", check, NULL, 1, 0, component) == 0) {
+      outputs_made() && tube_made() &&
+      hal_export_funct(NAME ".check", check, NULL, 1, 0, component) == 0) {
     stand();
     hal_ready(component);
     return 0;

@@ -17,6 +17,7 @@
 enum {
   KEY_CSV = 0x400,
   KEY_MOTION,
+  KEY_TUBE,
   KEY_LEFT,
   KEY_RULES,
   KEY_WORST,
@@ -40,6 +41,10 @@ static const struct argp_option options[] = {
      "let links meet in motions of a kind: FILE is CSV with lines such as cutter,stock,feed", 0},
     {"motion", KEY_MOTION, "FILE", 0,
      "write the path of an NC program to FILE as CSV, a motion file that sepax path reads", 0},
+    {"tube", KEY_TUBE, "FILE", 0,
+     "if the NC program is free, write to FILE where its joints may be, for the guard in "
+     "examples/linuxcnc",
+     0},
     {"left", KEY_LEFT, "FILE", 0,
      "write what is left of --stock to FILE, for --first: FILE.obj as a mesh in metres, other "
      "names as cells",
@@ -133,6 +138,9 @@ static error_t parse(int key, char *text, struct argp_state *state) {
   case KEY_MOTION:
     q->written = text;
     return 0;
+  case KEY_TUBE:
+    q->tube = text;
+    return 0;
   case KEY_CSV:
     q->csv = text;
     return 0;
@@ -171,11 +179,11 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 
 enum { WORD = 18, INTERVALS = 1 << 18 };
 
-enum { OUTPUTS = 7 };
+enum { OUTPUTS = 8 };
 
 static const char *output_of(const path_question *q, int n) {
   const char *const outputs[OUTPUTS] = {q->csv,  q->picture, q->certificate, q->page,
-                                        q->jobs, q->written, q->left};
+                                        q->jobs, q->written, q->left,        q->tube};
   return outputs[n];
 }
 
@@ -223,6 +231,7 @@ static bool program_agrees(const path_question *q, sepax_error *error) {
                       : q->blended                ? "blended"
                       : q->deviation.text != NULL ? "deviation"
                       : q->written != NULL        ? "motion"
+                      : q->tube != NULL           ? "tube"
                       : q->start != NULL          ? "start"
                       : q->smoothing.text != NULL ? "smoothing"
                       : q->loaded >= 0            ? "loaded"
@@ -357,6 +366,7 @@ int cli_path(int argc, char **argv) {
        (q.csv == NULL || path_write_csv(&scene, q.csv, &error)) &&
        (q.picture == NULL || path_write_picture(&scene, q.picture, &error)) &&
        (q.certificate == NULL || path_write_certificate(&scene, &q, &error)) &&
+       (q.tube == NULL || path_write_tube(&scene, &q, &error)) &&
        (q.page == NULL || path_write_page(&scene, &q, &error));
   int result = ok ? report_verdict_status[path_worst(&scene)] : cli_fail(argv[0], &error);
   if (ok && !q.output.quiet) {

@@ -346,6 +346,11 @@ json_t *path_report(const path_scene *scene, const path_question *q) {
         json, "certificate",
         json_pack("{s:s, s:b}", "file", q->certificate, "written", path_certified(scene)));
   }
+  if (q->tube != NULL) {
+    json_object_set_new(
+        json, "tube",
+        json_pack("{s:s, s:b}", "file", q->tube, "written", path_tube_is_free(scene)));
+  }
   if (scene->stock.cell > 0) {
     const path_stock *s = &scene->stock;
     json_object_set_new(json, "feeds", feeds_of(scene));

@@ -125,7 +125,7 @@ void path_joints_off(const path_scene *scene, bool blended, size_t line, double 
   size_t row = scene->row_of[line];
   bool counts = blended || nc->row[row].blend != NC_UNBOUNDED;
   for (size_t j = 0; j < m->joints; j++) {
-    off[j] = scene->spread != NULL ? scene->spread[line * m->joints + j] : 0;
+    off[j] = scene->slack + (scene->spread != NULL ? scene->spread[line * m->joints + j] : 0);
   }
   for (size_t k = 0; k < nc->joints; k++) {
     size_t to = scene->joint_of[k];

@@ -52,6 +52,7 @@ typedef struct {
   report_limit deviation; /* of joints from linear motion, metres or radians; 0: the default */
   report_limit smoothing; /* of linear joints by the control, metres */
   const char *written;    /* the motion file of --motion, or NULL */
+  const char *tube;       /* the file of --tube, or NULL */
 } path_question;
 
 /* A part of a body: one collision element, which is a solid of its own. */
@@ -219,6 +220,8 @@ typedef struct {
   double gouge; /* how deep flutes may be in the finished part, metres */
   bool between; /* --certify has run */
   bool removed; /* a certificate of an earlier run was removed */
+  bool tube_removed;
+  double slack; /* each joint may be off by so much besides, m or rad */
   double seconds, between_seconds;
 } path_scene;
 
@@ -331,6 +334,10 @@ void path_print_text(const path_scene *scene, const path_question *q);
 void path_print_json(const path_scene *scene, const path_question *q);
 bool path_write_csv(const path_scene *scene, const char *path, sepax_error *error);
 bool path_write_picture(const path_scene *scene, const char *path, sepax_error *error);
+/* Write the tube of a program that is free. Otherwise remove the tube of an earlier run. */
+bool path_write_tube(path_scene *scene, const path_question *q, sepax_error *error);
+bool path_tube_is_free(const path_scene *scene);
+
 bool path_write_jobs(path_scene *scene, const path_question *q, sepax_error *error);
 
 /* The JSON that path_print_json prints. json_t is of jansson. */

@@ -330,8 +330,11 @@ static bool read_motion(path_scene *scene, const path_question *q, sepax_error *
 }
 
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error) {
-  *scene =
-      (path_scene){.tool_link = SIZE_MAX, .gouge = q->gouge.length, .agreement.link = SIZE_MAX};
+  /* A guard compares rounded values with a tube, in other units. */
+  *scene = (path_scene){.tool_link = SIZE_MAX,
+                        .gouge = q->gouge.length,
+                        .agreement.link = SIZE_MAX,
+                        .slack = q->tube != NULL ? 1e-9 : 0};
   const sepax_robot_reading how = {sizeof how, q->package, q->packages};
   if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
       (q->tools != NULL && !path_tools_read(scene, q, error)) ||

@@ -199,6 +199,16 @@ static void print_certificate(const path_scene *scene, const path_question *q) {
   }
 }
 
+static void print_tube(const path_scene *scene, const path_question *q) {
+  if (path_tube_is_free(scene)) {
+    printf("tube   %s: %zu rows, clearance %.9g mm\n", q->tube, scene->motion.lines,
+           path_mm(q->bands.clearance.length));
+  } else {
+    printf("tube   %s: not written%s\n", q->tube,
+           scene->tube_removed ? "; the tube of an earlier run is removed" : "");
+  }
+}
+
 static void print_jobs(const path_scene *scene) {
   char text[SEPAX_CONFIG_TEXT];
   for (size_t n = 0; n < scene->job_lists; n++) {
@@ -258,6 +268,9 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   }
   if (q->certificate != NULL) {
     print_certificate(scene, q);
+  }
+  if (q->tube != NULL) {
+    print_tube(scene, q);
   }
   const path_pair *pair = NULL;
   path_moment first = path_worst_moment(scene, &pair);
