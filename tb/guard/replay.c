@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* replay.c - the guard without a control: on the joints that a control commanded, or on random
  * motion; what it says and what it costs.
- *   replay MACHINE.urdf AXES CLEARANCE ACCELERATION VELOCITY samples TUBE SAMPLES.csv
- *   replay MACHINE.urdf AXES CLEARANCE ACCELERATION VELOCITY random SEED PERIODS
- * AXES: the letters of the control's joints; the URDF's have the same names in lower case. Lengths
- * in mm, angles in degrees. TUBE: a file of sepax path --tube, or - for none. SAMPLES.csv: columns
- * joint0, joint1, ... in each servo period of 1 ms, as tb/nc/simulator writes them.
- * Prints name and value in each line; exit status 2 on failure. */
+ *   replay MACHINE.urdf SRDF AXES CLEARANCE ACCELERATION VELOCITY samples TUBE SAMPLES.csv
+ *   replay MACHINE.urdf SRDF AXES CLEARANCE ACCELERATION VELOCITY random SEED PERIODS
+ * SRDF: or - for none. AXES: the letters of the control's joints; the URDF's have the same names in
+ * lower case. Lengths in mm, angles in degrees. TUBE: a file of sepax path --tube, or - for none.
+ * SAMPLES.csv: columns joint0, joint1, ... in each servo period of 1 ms, as tb/nc/simulator writes
+ * them. Prints name and value in each line; exit status 2 on failure. */
 #include "../../examples/linuxcnc/guard.h"
 
 #include <ctype.h>
@@ -246,20 +246,20 @@ static void wander(guard *g, const guard_settings *s, guard_input *in, size_t pe
 
 static guard_settings settings_of(char **argument) {
   static char name[GUARD_JOINTS_MOST][2];
-  guard_settings s = {.joints = strlen(argument[2]),
+  guard_settings s = {.joints = strlen(argument[3]),
                       .unit = 0.001,
-                      .clearance = strtod(argument[3], NULL) * 0.001,
+                      .clearance = strtod(argument[4], NULL) * 0.001,
                       .slow_zone = 0.05,
                       .slow_scale = 0.2,
                       .reaction = 10,
                       .brake = 0.2,
                       .work = GUARD_WORK};
   if (s.joints > GUARD_JOINTS_MOST) {
-    fail("too many axes: ", argument[2]);
+    fail("too many axes: ", argument[3]);
   }
   for (size_t n = 0; n < s.joints; n++) {
-    s.axis[n] = argument[2][n];
-    name[n][0] = (char)tolower((unsigned char)argument[2][n]);
+    s.axis[n] = argument[3][n];
+    name[n][0] = (char)tolower((unsigned char)argument[3][n]);
     s.name[n] = name[n];
   }
   return s;
@@ -284,32 +284,33 @@ static const tube *tube_of(const guard *g, size_t joints, const char *path) {
 int main(int count, char **argument) {
   char text[GUARD_TEXT] = "";
   tally t = {.least = INFINITY};
-  if (count != 9) {
+  if (count != 10) {
     fail("give what the head of replay.c says", "");
   }
   lock_memory();
   const guard_settings s = settings_of(argument);
-  guard *g = guard_new(&s, &(guard_tool){.tool = -1, .urdf = argument[1]}, 1, text);
+  const guard_tool tool = {-1, argument[1], strcmp(argument[2], "-") == 0 ? NULL : argument[2]};
+  guard *g = guard_new(&s, &tool, 1, text);
   if (g == NULL) {
     fail(text, "");
   }
   guard_input in = {.period = PERIOD, .coordinated = true, .homed = true};
   for (size_t n = 0; n < s.joints; n++) {
-    in.acceleration[n] = strtod(argument[4], NULL);
-    in.fastest[n] = strtod(argument[5], NULL);
+    in.acceleration[n] = strtod(argument[5], NULL);
+    in.fastest[n] = strtod(argument[6], NULL);
   }
-  if (strcmp(argument[6], "samples") == 0) {
-    FILE *file = fopen(argument[8], "r");
+  if (strcmp(argument[7], "samples") == 0) {
+    FILE *file = fopen(argument[9], "r");
     if (file == NULL) {
-      fail("cannot be opened: ", argument[8]);
+      fail("cannot be opened: ", argument[9]);
     }
-    const tube *of = tube_of(g, s.joints, argument[7]);
+    const tube *of = tube_of(g, s.joints, argument[8]);
     guard_use_tube(g, of);
     replay(g, &in, s.joints, file, &t);
     fclose(file);
   } else {
-    seed = strtoull(argument[7], NULL, 10);
-    wander(g, &s, &in, strtoull(argument[8], NULL, 10), &t);
+    seed = strtoull(argument[8], NULL, 10);
+    wander(g, &s, &in, strtoull(argument[9], NULL, 10), &t);
   }
   print(&t);
   guard_free(g);
