@@ -18,8 +18,12 @@ enum { BLOCK = 64, PART = 64 * 64, DIGIT = 10 };
 
 /* ------------------------------------------------------------------ candidates */
 
-/* Record a pair. False if the search ends with it. */
+/* Record a pair. False if the search ends with it, or has ended: candidates that still wait when
+ * the first pair is found are judged, too. */
 static bool record(worker *w, size_t i, size_t j) {
+  if (w->all->how.first && w->found.count > 0) {
+    return false;
+  }
   w->no_memory |= !list_add_pair(&w->found, &w->capacity, i, j);
   bool ends = w->no_memory || w->all->how.first;
   if (ends) {

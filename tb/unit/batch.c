@@ -290,15 +290,17 @@ CASE(progress_is_told_and_ends) {
   free(a);
 }
 
-/* A search for the first pair ends with it. */
+/* A search for the first pair ends with it, also where other candidates wait. */
 CASE(first_pair_alone) {
+  static const size_t counts[] = {4, 12, 60, 1000};
   sepax_random random = {12};
-  sepax_tri *a = soup(1000, 18, 5000, &random);
-  for (int way = 0; way < 2; way++) {
+  sepax_tri *a = soup(1000, 18, 50000, &random);
+  for (int way = 0; way < 8; way++) {
     sepax_search how = {
-        .size = sizeof(sepax_search), .threads = 3, .first = true, .brute_force = way == 1};
+        .size = sizeof(sepax_search), .threads = 3, .first = true, .brute_force = way % 2 == 1};
+    const size_t count = counts[way / 2];
     sepax_pairs found;
-    assert_works(sepax_colliding_pairs(a, 1000, a, 1000, &how, &found, &fault));
+    assert_works(sepax_colliding_pairs(a, count, a, count, &how, &found, &fault));
     assert_int_equal(found.count, 1);
     const size_t *pair = found.pair[0];
     assert_true(sepax_exact(&a[pair[0]], &a[pair[1]]).collision);
