@@ -81,7 +81,7 @@ include scripts/make/$(if $(filter-out asic,$(TARGET)),fpga,synth).mk
 else
 include $(addprefix scripts/make/,flags.mk mesh.mk build.mk) $(ENGINES) scripts/make/design.mk
 ifeq ($(DESIGN),)
-include $(addprefix scripts/make/,install.mk quality.mk)
+include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+"""sepax: do two bodies collide, where, and how far are they from each other?
+
+Exact verdicts and certain distances of meshes, robots and their paths, by the C library libsepax.
+
+    import sepax
+    a = sepax.Body(vertices, faces)          # or sepax.Body.load("part.stl")
+    b = sepax.Body.load("tool.stl")
+    bool(sepax.collide(a, b, pose))          # pose: (4, 4); for (n, 4, 4) n verdicts in one call
+    sepax.distance(a, b, pose).least         # an interval that is certain: least ... most
+
+docs/guides/python.md of the project is the guide."""
+from ._errors import (ArgumentError, FileError, FormatError, LimitError, MissingError, SepaxError,
+                      UndecidedError, UndecidedWarning)
+from ._library import core as _core, features
+from ._verdicts import (Basis, Code, Distance, Inside, Nearness, Nearnesses, Verdict, Verdicts)
+from .bodies import (Body, Pairs, Shell, Within, collide, distance, meshes_pairs, near, pairs,
+                     within)
+from .files import nearest_poses, read_mesh, read_poses, weld, write_stl
+from .manager import CollisionManager, ContactData, DistanceData, scene_to_collision
+from .mechanism import Answers, Joint, Mechanism
+from .paths import Certificate, PathResult, program
+from .triangles import (Grid, TriangleVerdicts, exact, exact_collisions, exact_pairs,
+                        triangles_collide, triangles_distance)
+
+__version__: str = _core.about()["version"]
+
+__all__ = [name for name in dir() if not name.startswith("_") and name not in (
+    "bodies", "files", "manager", "mechanism", "paths", "triangles")]
