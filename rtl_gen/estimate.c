@@ -33,6 +33,7 @@ enum {
   BANDS,
   OBJECT_WORD,
   OBJECT,
+  INDEX,
   LANES,
   LANES_WORD,
   SHARED_QUEUE,
@@ -41,6 +42,7 @@ enum {
   STREAM_WORD,
   STREAM,
   READY,
+  GATED,
   TIGHT,
   TERMS
 };
@@ -48,35 +50,58 @@ static const struct {
   const char *name;
   double gates, flip_flops;
 } terms[TERMS] = {
-    [FULL_ADDERS] = {"full_adders", -4.4343, 0},
-    [ADDITIONS] = {"additions", 6.3325, 0},
-    [RIPPLES] = {"ripples", 5.1468, 0},
-    [MULTIPLEXERS] = {"multiplexers", 2.7998, 0},
-    [ROWS] = {"rows", 13.068, 0},
-    [REGISTERS] = {"registers", 4.3656, 1},
-    [CONTROL] = {"control", 63.471, 1.5063},
-    [HOLDING] = {"holding", 5.5085, 1},
-    [COORDINATES] = {"coordinates", 13.954, 1},
-    [WORD] = {"word", 101.07, 0},
-    [CORES] = {"cores", -1815.5, -18.559},
-    [AABB] = {"aabb", 366.85, 18.399},
-    [EXTENTS] = {"extents", 227.63, 18.517},
-    [LIMITS] = {"limits", 7.1529, 0.087606},
-    [BANDS] = {"bands", 13.374, -1.8325},
-    [OBJECT_WORD] = {"object_word", 851.78, 64.474},
-    [OBJECT] = {"object", 7668.2, 797.78},
-    [LANES] = {"lanes", 223.6, 34.952},
-    [LANES_WORD] = {"lanes_word", 74.201, 2.9975},
-    [SHARED_QUEUE] = {"shared_queue", 274.47, 75.389},
-    [TREE_WORD] = {"tree_word", 2012.4, 51.487},
-    [TREE] = {"tree", 75084, 5311.5},
-    [STREAM_WORD] = {"stream_word", 200.46, 17.082},
-    [STREAM] = {"stream", 2218.6, 181.6},
-    [READY] = {"ready", 173.48, 18.076},
-    [TIGHT] = {"tight", -153.06, 0},
+    [FULL_ADDERS] = {"full_adders", -4.8314, 0},
+    [ADDITIONS] = {"additions", 6.0068, 0},
+    [RIPPLES] = {"ripples", 4.9904, 0},
+    [MULTIPLEXERS] = {"multiplexers", 2.5629, 0},
+    [ROWS] = {"rows", 13.791, 0},
+    [REGISTERS] = {"registers", 5.7748, 1},
+    [CONTROL] = {"control", 2.5722, 1.22},
+    [HOLDING] = {"holding", 6.3191, 1},
+    [COORDINATES] = {"coordinates", 14.095, 1},
+    [WORD] = {"word", -39.858, 0},
+    [CORES] = {"cores", 911.09, -7.5034},
+    [AABB] = {"aabb", 373.48, 18.477},
+    [EXTENTS] = {"extents", 401.71, 28.258},
+    [LIMITS] = {"limits", 4.54, 0.022656},
+    [BANDS] = {"bands", 42.053, -0.8405},
+    [OBJECT_WORD] = {"object_word", 669.83, 44.415},
+    [OBJECT] = {"object", 5043.5, 553.87},
+    [INDEX] = {"index", 280.19, 30.771},
+    [LANES] = {"lanes", 339.51, 1},
+    [LANES_WORD] = {"lanes_word", 71.731, 6},
+    [SHARED_QUEUE] = {"shared_queue", 357.53, 71.399},
+    [TREE_WORD] = {"tree_word", 1762.2, 57.863},
+    [TREE] = {"tree", 76938, 5273},
+    [STREAM_WORD] = {"stream_word", 206.43, 16.894},
+    [STREAM] = {"stream", 2338, 186.82},
+    [READY] = {"ready", 187.29, 18.102},
+    [GATED] = {"gated", 2.7973, 0.0052929},
+    [TIGHT] = {"tight", -72.953, 0},
 };
-static const double gates_error = 0.08;
-static const double flip_flops_error = 0.05;
+/* Relative errors: of cores; more with clearances, several cores, an engine. */
+static const struct {
+  double gates, flip_flops;
+} plain_error = {0.05, 0.02}, clearance_error = {0.09, 0.05}, cores_error = {0.08, 0.13},
+  engine_error = {0.06, 0.05};
+
+/* Energy of a core, pJ a cycle, with glitches: of a flip-flop; of a GE of logic, of it for each ns
+ * that the longest stage takes, and in a core of II = 1 (scripts/experiments/estimate energy). */
+enum { ENERGY_TERMS = 4 };
+static const double energy_per_term[ESTIMATE_PAIRS][ENERGY_TERMS] = {
+    [ESTIMATE_SEPARATED] = {-0.00724, 0.00435, 0.000097, -0.00195},
+    [ESTIMATE_COLLIDING] = {-0.00747, 0.00432, 0.000132, -0.000995},
+    [ESTIMATE_COPLANAR] = {-0.0054, 0.00374, 0.000116, -0.000606}};
+static const double energy_error = 0.35;
+
+/* The same of a separated pair that an AABB test keeps from the core: of a flip-flop. */
+static const double tested_energy = 0.0175, tested_error = 0.45;
+
+/* Leakage, pJ a ns of a GE; passes of a pair whose triangles are in one plane, of which a quarter
+ * takes two; GE of a flip-flop. */
+static const double leakage = 1.59e-5, passes = 1.25, flip_flop_gates = 6.5;
+
+_Static_assert((int)TERMS <= (int)ESTIMATE_TERMS, "sepax_estimate holds all terms");
 
 const char *sepax_estimate_term(int term) { return term < TERMS ? terms[term].name : NULL; }
 
@@ -129,7 +154,8 @@ static void count_core(double term[], const exact_plan *p) {
   term[WORD] = w;
   term[CORES] = 1;
   term[AABB] = d->aabb_test ? d->config.word : 0;
-  term[EXTENTS] = d->config.extent_a > 0 ? d->config.word : 0;
+  term[EXTENTS] = d->config.extent_a > 0 ? w : 0;
+  term[GATED] = d->config.clock_gating ? parts.registers + parts.control : 0;
   count_limits(p, &term[BANDS], &term[LIMITS]);
   term[LIMITS] *= sums_of_limits(d);
   for (int i = 0; i <= BANDS; i++) {
@@ -143,6 +169,7 @@ static void count_around(double term[], const sepax_config *c) {
   term[OBJECT_WORD] = engine == SEPAX_ENGINE_OBJECT ? w : 0;
   term[OBJECT] = engine == SEPAX_ENGINE_OBJECT;
   term[LANES] = c->lanes;
+  term[INDEX] = engine == SEPAX_ENGINE_OBJECT ? log2((double)c->memory_a * c->memory_b) : 0;
   term[LANES_WORD] = w * c->lanes;
   term[SHARED_QUEUE] = w * (c->cores - 1);
   term[TREE_WORD] = engine == SEPAX_ENGINE_TREE ? w : 0;
@@ -152,13 +179,52 @@ static void count_around(double term[], const sepax_config *c) {
   term[READY] = c->registered_ready ? w : 0;
 }
 
-static void weigh(sepax_estimate *e) {
+static void weigh(sepax_estimate *e, const sepax_design *d) {
   for (int i = 0; i < TERMS; i++) {
     e->gates += terms[i].gates * e->term[i];
     e->flip_flops += terms[i].flip_flops * e->term[i];
   }
-  e->gates_error = gates_error * e->gates;
-  e->flip_flops_error = flip_flops_error * e->flip_flops;
+  const bool engine = sepax__config_engine(&d->config) != SEPAX_ENGINE_NONE;
+  double gates = plain_error.gates;
+  double flip_flops = plain_error.flip_flops;
+  if (engine) {
+    gates = engine_error.gates;
+    flip_flops = engine_error.flip_flops;
+  }
+  if (d->config.cores > 1) {
+    gates = cores_error.gates;
+    flip_flops = cores_error.flip_flops;
+  }
+  if (d->limits > 0) {
+    gates = fmax(gates, clearance_error.gates);
+    flip_flops = fmax(flip_flops, clearance_error.flip_flops);
+  }
+  e->gates_error = gates * e->gates;
+  e->flip_flops_error = flip_flops * e->flip_flops + 16;
+}
+
+/* Cores of which energy was measured. */
+static bool has_energy(const sepax_design *d) {
+  const sepax_config *c = &d->config;
+  return sepax__config_engine(c) == SEPAX_ENGINE_NONE && d->limits == 0 && c->extent_a == 0 &&
+         !c->clock_gating && c->corner == SEPAX_CORNER_TYPICAL;
+}
+
+static void weigh_energy(sepax_estimate *e, const sepax_config *c) {
+  const double ns = c->clock_ps / 1000.0;
+  const double logic = e->gates - flip_flop_gates * e->flip_flops;
+  const double term[ENERGY_TERMS] = {e->flip_flops, logic, logic * e->term[TIGHT] * ns,
+                                     c->ii == 1 ? logic : 0};
+  for (int pair = 0; pair < ESTIMATE_PAIRS; pair++) {
+    const bool tested = pair == ESTIMATE_SEPARATED && c->early_out;
+    double cycle = tested ? tested_energy * e->flip_flops : 0;
+    for (int i = 0; i < ENERGY_TERMS && !tested; i++) {
+      cycle += energy_per_term[pair][i] * term[i];
+    }
+    cycle *= pair == ESTIMATE_COPLANAR && !c->flag ? passes : 1;
+    e->energy[pair] = c->ii * (cycle + leakage * e->gates * ns) / 1000;
+    e->energy_error[pair] = (tested ? tested_error : energy_error) * e->energy[pair];
+  }
 }
 
 static bool estimate_exact(const sepax_design *design, sepax_estimate *e, sepax_error *error) {
@@ -175,7 +241,9 @@ static bool estimate_exact(const sepax_design *design, sepax_estimate *e, sepax_
     count_core(e->term, plan);
     count_around(e->term, &design->config);
     e->term[TIGHT] = tightness(plan);
-    weigh(e);
+    weigh(e, design);
+    e->energy_known = has_energy(design);
+    weigh_energy(e, &design->config);
   }
   free(plan);
   return ok;

@@ -22,8 +22,10 @@ typedef struct {
   bool gates_known;     /* the next four are known: architecture exact made of an ASIC's cells */
   double gates, gates_error;           /* gate equivalents, Nangate45 */
   double flip_flops, flip_flops_error; /* bits */
-  bool energy_known;                   /* gates are known, and there is no engine */
-  double energy[ESTIMATE_PAIRS], energy_error[ESTIMATE_PAIRS]; /* nJ for a pair of a workload */
+  bool energy_known; /* gates are known, of a core alone, without clearance, extents and clock
+                        gating, at the typical corner */
+  double energy[ESTIMATE_PAIRS], energy_error[ESTIMATE_PAIRS]; /* nJ for a pair of a workload, with
+                        glitches, without the clock tree */
   double term[ESTIMATE_TERMS];
 } sepax_estimate;
 
