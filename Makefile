@@ -84,11 +84,11 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
-EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes calibrate clearance cocotb \
-              compare-meshes coverage distances driver engine-sweep estimate exhaustive fuzz \
-              guard hard impeller machine multivt mutation mutation-c netlist-sweep packages \
-              path-campaign posed-pairs proofs sanitize scene slurm static tree-campaign \
-              tree-fuzz tree-scene tree-sweep verify
+EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python calibrate \
+              clearance cocotb compare-meshes coverage distances driver engine-sweep estimate \
+              exhaustive fuzz guard hard impeller machine multivt mutation mutation-c \
+              netlist-sweep packages path-campaign posed-pairs proofs sanitize scene slurm \
+              static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \

@@ -20,10 +20,11 @@ from .files import nearest_poses, read_mesh, read_poses, weld, write_stl
 from .manager import CollisionManager, ContactData, DistanceData, scene_to_collision
 from .mechanism import Answers, Joint, Mechanism
 from .paths import Certificate, PathResult, program
+from .plots import plot_clearance
 from .triangles import (Grid, TriangleVerdicts, exact, exact_collisions, exact_pairs,
                         triangles_collide, triangles_distance)
 
 __version__: str = _core.about()["version"]
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "bodies", "files", "manager", "mechanism", "paths", "triangles")]
+    "bodies", "files", "manager", "mechanism", "paths", "plots", "triangles")]

@@ -15,3 +15,12 @@ $(BUILD)/python/site.made $(BUILD)/python/sanitized.made: $(PYTHON_SRC)
 	@echo "  PYTHON  $(basename $@)"
 	@BUILD=$(BUILD) scripts/python -k $(notdir $(basename $@)) $(basename $@)
 	@touch $@
+
+# The scenes of bench-bodies for Python, and what C takes for them.
+$(BUILD)/python_scenes: $(BUILD)/obj/tb/python/scenes.o $(BUILD)/obj/tb/benchmark/bodies_scenes.o \
+                        $(LIB)
+	@echo "  LINK    $@"
+	@$(aside) $(CXX) $^ -lm -pthread -o $$new && $(in_place)
+experiment-bench-python: $(BUILD)/python_scenes $(BUILD)/python/site.made
+	@MESH_DIR="$(MESH_DIR)" PYTHON="$(PYTHON)" scripts/experiments/bench-python \
+	  $(BUILD)/bench-python $(if $(call given,COUNT),$(COUNT),10000) $(MESHES)
