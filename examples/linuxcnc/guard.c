@@ -239,35 +239,35 @@ static void run(guard *g, guard_machine *m, const guard_input *in, guard_output 
   g->slow = answer.least < (g->slow ? leave : s->clearance + s->slow_zone);
 }
 
-/* The joint of the control that may go farthest, as a number of the mechanism. */
-static size_t farthest(const guard_machine *m, const guard_settings *s) {
-  size_t joint = m->joint[0];
+/* The joint of the control that is fastest, as a number of the mechanism. */
+static size_t fastest(const guard_machine *m, const guard_settings *s, const guard_input *in) {
+  size_t joint = 0;
   for (size_t n = 1; n < s->joints; n++) {
-    joint = m->travel[m->joint[n]] > m->travel[joint] ? m->joint[n] : joint;
+    joint = fabs(in->velocity[n]) > fabs(in->velocity[joint]) ? n : joint;
   }
-  return joint;
+  return m->joint[joint];
 }
 
 /* Is every pair farther apart than `clearance` in all positions of `cover`? The way of the joint
- * that goes farthest is divided, because a query counts a way along a surface like one towards it.
+ * that is fastest is divided, because a query counts a way along a surface like one towards it.
  * The pieces share the work of one query. */
-static bool apart_in_pieces(guard_machine *m, const guard_settings *s, double clearance,
-                            guard_output *out) {
+static bool apart_in_pieces(guard_machine *m, const guard_settings *s, const guard_input *in,
+                            double clearance, guard_output *out) {
   enum { PIECES = 8 };
   guard_settings piece = *s;
   sepax_machine_answer answer;
-  const size_t joint = farthest(m, s);
+  const size_t joint = fastest(m, s, in);
   const double middle = m->value[joint];
   const double half = m->travel[joint];
   bool apart = true;
-  piece.work = s->work / PIECES + 1;
   m->travel[joint] = half / PIECES + (fabs(middle) + half) * 1e-14;
-  for (int n = 0; n < PIECES && apart; n++) {
+  for (int n = 0; n < PIECES && apart && piece.work > 0; n++) {
     m->value[joint] = middle + half * (2 * n + 1 - PIECES) / PIECES;
     apart = ask(m, &piece, clearance, m->travel, false, &answer) && answer.verdict == SEPAX_APART;
+    piece.work -= answer.work < piece.work ? answer.work : piece.work;
     out->work += answer.work;
   }
-  return apart;
+  return apart && piece.work > 0;
 }
 
 /* Stopped: a jog may only lead away. When the joints rest, the guard notes the least distance of
@@ -299,7 +299,7 @@ static void hold(guard *g, guard_machine *m, const guard_input *in, bool reset, 
     g->rebase = false;
   }
   out->jog_stop =
-      in->coordinated || g->rebase || g->kept == 0 || !apart_in_pieces(m, s, g->kept, out);
+      in->coordinated || g->rebase || g->kept == 0 || !apart_in_pieces(m, s, in, g->kept, out);
 }
 
 static void finish(guard *g, const guard_input *in, guard_output *out) {

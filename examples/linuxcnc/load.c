@@ -70,11 +70,26 @@ static bool map_joints(guard_machine *m, const guard_settings *s, char *text) {
              "joints");
 }
 
-/* Then joints that move by a vector of length L move no body by more than L. The axes are those in
- * the root's coordinates, in which linear joints do not turn. */
+/* Does a joint that turns carry this one? */
+static bool is_turned(const sepax_mechanism *m, const sepax_joint *joint) {
+  size_t link = joint->parent;
+  for (size_t k = 0; k < m->joints; k++) {
+    const sepax_joint *above = &m->joint[k];
+    if (above->child == link) {
+      return (above->kind != SEPAX_JOINT_PRISMATIC && above->kind != SEPAX_JOINT_FIXED) ||
+             is_turned(m, above);
+    }
+  }
+  return false;
+}
+
+/* Then linear joints that move by a vector of length L move no body by more than L, as seen from
+ * any other. The axes are those in the root's coordinates, in which the linear joints do not turn:
+ * no other joint carries them. */
 static bool is_square(const guard_machine *m, const guard_settings *s) {
   const sepax_mechanism *mechanism = &m->robot.robot.mechanism;
   double axis[GUARD_JOINTS_MOST][3];
+  size_t axes = 0;
   sepax_pose *pose = calloc(mechanism->links, sizeof *pose);
   bool square = pose != NULL;
   if (square) {
@@ -82,15 +97,20 @@ static bool is_square(const guard_machine *m, const guard_settings *s) {
   }
   for (size_t n = 0; n < s->joints && square; n++) {
     const sepax_joint *joint = &mechanism->joint[m->joint[n]];
-    square = joint->kind == SEPAX_JOINT_PRISMATIC;
+    if (joint->kind != SEPAX_JOINT_PRISMATIC) {
+      continue;
+    }
+    square = !is_turned(mechanism, joint);
     for (int k = 0; k < 3; k++) {
       const double *row = pose[joint->child].rotation[k];
-      axis[n][k] = row[0] * joint->axis[0] + row[1] * joint->axis[1] + row[2] * joint->axis[2];
+      axis[axes][k] = row[0] * joint->axis[0] + row[1] * joint->axis[1] + row[2] * joint->axis[2];
     }
-    for (size_t before = 0; before < n && square; before++) {
+    for (size_t before = 0; before < axes && square; before++) {
       const double *a = axis[before];
-      square = fabs(a[0] * axis[n][0] + a[1] * axis[n][1] + a[2] * axis[n][2]) < 1e-10;
+      const double *b = axis[axes];
+      square = fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < 1e-10;
     }
+    axes++;
   }
   for (size_t k = 0; k < mechanism->joints; k++) { /* a follower would move a body once more */
     square = square && mechanism->joint[k].mimic == SEPAX_NO_JOINT;

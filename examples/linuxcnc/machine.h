@@ -13,7 +13,7 @@ typedef struct {
   size_t joint[GUARD_JOINTS_MOST]; /* of the mechanism */
   double scale[GUARD_JOINTS_MOST]; /* metres or radians in the control's unit */
   double *value, *travel;          /* of each joint of the mechanism */
-  bool square;                     /* all its joints are linear and their axes at right angles */
+  bool square;  /* the axes of its linear joints are at right angles, and no joint turns them */
   double apart; /* any body may also move by this length in any direction, in metres */
 } guard_machine;
 

@@ -199,7 +199,8 @@ def place(samples, x, y, z):
     mdi(samples, f"G53 G0 X{x} Y{y}")
     mdi(samples, f"G53 G1 Z{z} F1200")
     stat.poll()
-    require(not pin("stopped") and idle(), "a harmless motion was stopped")
+    require(not pin("stopped") and idle(), "a harmless motion was stopped, reason %d, at %s" % (
+        pin("reason"), " ".join("%.1f" % v for v in samples.rows[-1][:JOINTS])))
 
 
 def use_tube(text, sure=True):
