@@ -86,7 +86,7 @@ include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python calibrate \
               clearance cocotb compare-meshes coverage distances driver engine-sweep estimate \
-              exhaustive fuzz guard hard impeller machine multivt mutation mutation-c \
+              exhaustive fuzz guard guard-time hard impeller machine multivt mutation mutation-c \
               netlist-sweep packages path-campaign posed-pairs proofs sanitize scene slurm \
               static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
@@ -333,6 +333,9 @@ experiment-path-campaign: $(SEPAX) $(LIB) $(BUILD)/sepax-certificate-check
 
 experiment-guard: $(SEPAX)
 	@tb/guard/crashes
+
+experiment-guard-time: $(SEPAX)
+	@tb/guard/times
 
 experiment-impeller: $(SEPAX)
 	@scripts/experiments/impeller $(BUILD)/impeller $(or $(CELLS),0.25 0.2 0.1)

@@ -86,8 +86,8 @@ class Samples:
         return out
 
     def at_stop(self):
-        """Of the first stop: the speeds of the joints in that period, and for how many periods after
-        it the machine did not yet brake. None if there was none."""
+        """Of the first stop: the speeds of the joints in that period, and for how many periods
+        after it the machine did not yet brake. None if there was none."""
         rows = self.rows
         for n in range(1, len(rows)):
             if any(rows[n][k] and not rows[n - 1][k] for k in (FEED, JOG)):
