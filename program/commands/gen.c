@@ -111,7 +111,8 @@ int cli_gen(int argc, char **argv) {
       "the target is a Xilinx FPGA; sepax.gtkw (ports for GTKWave). A design with an engine "
       "also has sepax_registers.h, .md and .rdl (--lanes) or sepax_tree_registers.h, .md and .rdl "
       "(--tree), which describe the registers of the engine. "
-      "tb/sepax_tb.v is a test bench for any simulator. doc/sepax.html and .md are a datasheet.",
+      "tb/sepax_tb.v is a test bench for any simulator. doc/sepax.html and .md are a datasheet. "
+      "ip/ has a VHDL package, SystemVerilog interfaces, IP-XACT and SVD.",
       children,
       NULL,
       NULL};

@@ -7,6 +7,7 @@
 #include "engine/engine.h"
 #include "files/describe.h"
 #include "files/folder.h"
+#include "ip/ip.h"
 #include "sheet/sheet.h"
 #include "util/error.h"
 
@@ -52,6 +53,19 @@ static void render_sheet(emitter *e, const sheet_costs *costs, folder_files *o) 
   sheet_wave(e, false, folder_add(o, "doc/sepax_handshake", "json"));
 }
 
+/* The top for other languages and tools. */
+static void render_ip(emitter *e, bool single_file, folder_files *o) {
+  const engine_registers *registers = engine_generator_of(&e->design->config)->registers;
+  emit_ports ports = emit_ports_of(e->module[e->modules - 1]);
+  ip_vhdl(e, &ports, folder_add(o, "ip/sepax_pkg", "vhd"));
+  ip_systemverilog(e, &ports, folder_add(o, "ip/sepax_if", "sv"));
+  ip_xact(e, &ports, registers, single_file, folder_add(o, "ip/sepax", "xml"));
+  if (registers != NULL) {
+    ip_svd(e, &ports, registers, folder_add(o, "ip/sepax", "svd"));
+  }
+  emit_ports_free(&ports);
+}
+
 static void render(emitter *e, const sepax_output *how, const sheet_costs *costs, folder_files *o) {
   const sepax_design *d = e->design;
   for (int i = first_file(e, how); i < e->modules; i++) {
@@ -83,6 +97,7 @@ static void render(emitter *e, const sepax_output *how, const sheet_costs *costs
                 folder_add(o, "tb/sepax_tb", "v"));
   }
   render_sheet(e, costs, o);
+  render_ip(e, how->single_file, o);
 }
 
 bool gen_write(emitter *e, const char *folder, const sepax_output *how, const sheet_costs *costs,
