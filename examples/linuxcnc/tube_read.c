@@ -75,20 +75,25 @@ static int column_of(const tube *t, const char *name) {
   return -1;
 }
 
+/* The name of column n of the file. */
+static bool name_read(reader *r, size_t n, const char *name) {
+  static const char *const before[] = {"tool", "begins"};
+  if (n < 2) {
+    return strcmp(name, before[n]) == 0 ||
+           fail(r, "column %zu is %.60s, not %s", n + 1, name, before[n]);
+  }
+  const int column = n < 2 + 2 * (size_t)r->t->joints ? column_of(r->t, name) : -1;
+  r->column[n < 2 + 2 * TUBE_JOINTS_MOST ? n : 0] = column;
+  return column >= 0 || fail(r, "the joint %.60s is not one of the guard", name);
+}
+
 static bool second_line(reader *r, char *line) {
   char *rest = line;
   r->line = 2;
   line[strcspn(line, "\n")] = 0;
   for (char *name = next_cell(&rest); name != NULL; name = next_cell(&rest)) {
-    const size_t n = r->columns++;
-    if (n < 2) {
-      if (strcmp(name, n == 0 ? "tool" : "begins") != 0) {
-        return fail(r, "column %zu is %.60s, not %s", n + 1, name, n == 0 ? "tool" : "begins");
-      }
-    } else if (n >= 2 + 2 * (size_t)r->t->joints) {
-      return fail(r, "the joint %.60s is not one of the guard", name);
-    } else if ((r->column[n] = column_of(r->t, name)) < 0) {
-      return fail(r, "the joint %.60s is not one of the guard", name);
+    if (!name_read(r, r->columns++, name)) {
+      return false;
     }
   }
   for (size_t joint = 0; joint < 2 * (size_t)r->t->joints; joint++) {

@@ -27,6 +27,7 @@ static const double PERIOD = 0.001;
 /* The linker gives each call of malloc and its like to these (--wrap). */
 static size_t allocations;
 
+/* NOLINTBEGIN(bugprone-reserved-identifier): these names are the linker's */
 void *__real_malloc(size_t bytes);
 void *__real_calloc(size_t count, size_t bytes);
 void *__real_realloc(void *at, size_t bytes);
@@ -48,6 +49,7 @@ void *__wrap_realloc(void *at, size_t bytes) {
   allocations++;
   return __real_realloc(at, bytes);
 }
+/* NOLINTEND(bugprone-reserved-identifier) */
 
 /* ------------------------------------------------------------------ what is counted */
 
