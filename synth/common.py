@@ -135,6 +135,18 @@ def write_json(file: Path, value: Any) -> None:
                     encoding="utf-8")
 
 
+def design_list(folder: Path, given: str) -> Path:
+    """The list of the modules' files of the design in a folder: sepax.f, or PREFIX.f."""
+    found = [file for file in sorted(folder.glob("*.f")) if file.with_suffix(".json").is_file()]
+    if len(found) > 1:
+        raise Failed(f"{given} holds several designs: {', '.join(file.name for file in found)}; "
+                     "give each a folder of its own")
+    if not found:
+        raise Failed(f"{given} holds no design (sepax.f, sepax.json); "
+                     f"make one with 'sepax gen -o {given}'")
+    return found[0]
+
+
 def option_of(design: Object, name: str) -> str:
     """The value of an option of the design that sepax.json describes, or an empty string."""
     found = re.search(f"--{name}=([^ ]+)", design.get("options", ""))

@@ -71,11 +71,19 @@ endmodule
 SHORT_ADDER = 4  # bits
 
 
+PREFIX = ["sepax"]  # of the design's modules
+
+
+def set_prefix(prefix: str) -> None:
+    """From now on modules of a class have this prefix in place of sepax."""
+    PREFIX[0] = prefix
+
+
 def of_class(name: str) -> List[str]:
-    """The modules of a class of synth/area/modules."""
+    """The modules of a class of synth/area/modules, with the design's prefix."""
     rows = [line.split() for line in (HERE / "modules").read_text().splitlines()
             if not line.startswith("#")]
-    return [row[0] for row in rows if row[1:2] == [name]]
+    return [PREFIX[0] + row[0][len("sepax"):] for row in rows if row[1:2] == [name]]
 
 
 def of_class_one(name: str) -> str:

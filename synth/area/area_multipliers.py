@@ -10,7 +10,7 @@ from typing import List, Tuple
 
 from common import Failed, Object
 
-HEAD = """module sepax_mul #(
+HEAD = """module @name@ #(
   parameter A_W = 18, parameter B_W = 38, parameter FULL_W = 56, parameter P_W = 56
 ) (input wire signed [A_W-1:0] a, input wire signed [B_W-1:0] b, output wire signed [P_W-1:0] p);
   wire [FULL_W-1:0] full;
@@ -32,10 +32,11 @@ def sizes(described: Object) -> List[Tuple[int, int, int]]:
 
 
 def generate(sepax: str, described: Object, out: Path) -> None:
-    """Write to `out` sepax_mul.v, which has the ports and parameters of the design's own, and the
-    multipliers that it chooses from."""
+    """Write to `out` the module of the design's products (sepax_mul), with the ports and parameters
+    of the design's own, and the multipliers that it chooses from."""
     out.mkdir(parents=True)
-    text = HEAD
+    product = described.get("prefix", "sepax") + "_mul"
+    text = HEAD.replace("@name@", product)
     for a, b, full in sizes(described):
         wide, narrow = max(a, b), min(a, b)
         name = f"sepax_mul_{wide}x{narrow}"
@@ -49,4 +50,4 @@ def generate(sepax: str, described: Object, out: Path) -> None:
         first, second = ("b", "a") if a < b else ("a", "b")
         text += (f"    if (A_W == {a} && B_W == {b} && FULL_W == {full}) begin : m_{a}_{b}_{full}\n"
                  f"      {name} of (.a({first}), .b({second}), .p(full));\n    end\n")
-    (out / "sepax_mul.v").write_text(text + TAIL)
+    (out / f"{product}.v").write_text(text + TAIL)

@@ -5,7 +5,8 @@
 #   vivado -mode batch -source synth/fpga/ip.tcl -tclargs RTL-DIR IP-DIR PART
 if {[llength $argv] != 3} { error "ip.tcl: give -tclargs RTL-DIR IP-DIR PART" }
 lassign $argv rtl ip part
-set list [open [file join $rtl sepax.f]]
+# sepax.f or PREFIX.f, which is before PREFIX_absolute.f.
+set list [open [lindex [lsort [glob -directory $rtl -- *.f]] 0]]
 set files [split [string trim [read $list]] "\n"]
 close $list
 set top [file rootname [lindex $files end]]

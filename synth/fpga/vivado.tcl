@@ -6,7 +6,7 @@
 #
 # Writes utilization.txt, timing.txt and routed.dcp into the working folder; fmax_mhz is the last
 # line that it prints.
-set files [open [file join $rtl sepax.f]]
+set files [open $list]
 foreach file [split [string trim [read $files]] "\n"] { read_verilog [file join $rtl $file] }
 close $files
 synth_design -top $top -part $part -mode out_of_context -include_dirs $rtl
