@@ -15,4 +15,8 @@ enum { BENCH_VECTORS = 256, BENCH_VECTORS_MOST = 100000 };
  * An error is the emitter's. */
 void bench_write(emitter *e, int vectors, emit_text *out);
 
+/* Append the test bench sepax_engine_tb of an object engine: two small objects, and the results of
+ * two runs. */
+void bench_write_object(emitter *e, emit_text *out);
+
 #endif

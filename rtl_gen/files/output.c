@@ -96,6 +96,9 @@ static void render(emitter *e, const sepax_output *how, const sheet_costs *costs
     bench_write(e, how->vectors > 0 ? how->vectors : BENCH_VECTORS,
                 folder_add(o, "tb/sepax_tb", "v"));
   }
+  if (how->vectors >= 0 && d->config.lanes > 0) {
+    bench_write_object(e, folder_add(o, "tb/sepax_engine_tb", "v"));
+  }
   render_sheet(e, costs, o);
   render_ip(e, how->single_file, o);
 }
