@@ -17,6 +17,7 @@ from ._verdicts import (Basis, Code, Distance, Inside, Nearness, Nearnesses, Ver
 from .bodies import (Body, Pairs, Shell, Within, collide, distance, meshes_pairs, near, pairs,
                      within)
 from .files import nearest_poses, read_mesh, read_poses, weld, write_stl
+from .hardware import Design, Estimate, Port, estimate, generate, plot_area
 from .manager import CollisionManager, ContactData, DistanceData, scene_to_collision
 from .mechanism import Answers, Joint, Mechanism
 from .paths import Certificate, PathResult, program
@@ -27,4 +28,5 @@ from .triangles import (Grid, TriangleVerdicts, exact, exact_collisions, exact_p
 __version__: str = _core.about()["version"]
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "bodies", "files", "manager", "mechanism", "paths", "plots", "triangles")]
+    "amaranth", "bodies", "files", "hardware", "manager", "mechanism", "paths", "plots",
+    "triangles")]
