@@ -89,12 +89,13 @@ static json_t *design_json(const sepax_design *design, const sepax_estimate *est
 static bool add_design(explore_lists *lists, const sepax_config *config, sepax_error *error) {
   sepax_design design;
   sepax_estimate estimate;
-  char text[SEPAX_CONFIG_TEXT];
   *error = (sepax_error){0};
   if (!sepax_design_init(&design, config, error)) {
     return false;
   }
   if (!sepax_estimate_design(&design, &estimate, error)) {
+    char text[SEPAX_CONFIG_TEXT];
+    lists->failed |= error->code == SEPAX_ERROR_MEMORY;
     lists->failed |= json_array_append_new(lists->refused,
                                            json_pack("{s:s, s:s}", "options",
                                                      sepax_config_text(config, text, sizeof text),
