@@ -18,6 +18,10 @@ extern "C" {
 #define SEPAX_LANES_MAX 64
 #define SEPAX_CORES_MAX 8
 #define SEPAX_MEMORY_MIN 128
+#define SEPAX_LEAVES_MIN 8
+#define SEPAX_LEAVES_MAX 32
+#define SEPAX_ROWS_MIN 64
+#define SEPAX_ROWS_MAX 256
 #define SEPAX_MEMORY_MAX 32768
 #define SEPAX_CONFIG_TEXT 512 /* bytes, enough for every text of a configuration */
 
@@ -105,6 +109,8 @@ typedef struct {
   int cores;              /* exact: cores of the engine, 1 ... 8 */
   int memory_a, memory_b; /* exact: triangles of A and of B that an object engine holds, a power of
                              two, 2^7 ... 2^15 */
+  int leaves, rows;       /* exact: leaves of each body that a tree engine holds, and rows that wait
+                             in it: powers of two, 8 ... 32 and 64 ... 256 */
 } sepax_config;
 
 /* The default configuration: architecture exact, W = 18, II = 3, coplanar pairs decided, 2 ns. For

@@ -133,6 +133,16 @@ static const design_option table[] = {
      .tag = "-mb%s", .argument = "TRIANGLES",
      .help = "triangles of B that the object engine holds, a power of two, 128 ... 32768 (default "
              "512; needs --lanes)"},
+    {.name = "leaves", .kind = OPTION_NUMBER, FIELD(leaves), .standard = 16,
+     RANGE(SEPAX_LEAVES_MIN, SEPAX_LEAVES_MAX), .archs = EXACT, .needs = "tree", .tag = "-l%s",
+     .argument = "N",
+     .help = "leaves of each body that the tree engine holds, a power of two, 8 ... 32 (default "
+             "16; needs --tree)"},
+    {.name = "rows", .kind = OPTION_NUMBER, FIELD(rows), .standard = 128,
+     RANGE(SEPAX_ROWS_MIN, SEPAX_ROWS_MAX), .archs = EXACT, .needs = "tree", .tag = "-r%s",
+     .argument = "N",
+     .help = "rows that wait in the tree engine, a power of two, 64 ... 256 (default 128; needs "
+             "--tree)"},
     {.name = "precision", .kind = OPTION_PRECISION, FIELD(guard), .standard = -1,
      RANGE(-1, 2 * SEPAX_WORD_MAX + 3), .archs = PUBLISHED, .named = PUBLISHED, .shown = true,
      .tag = "-%s", .argument = "BITS", .decides = true,

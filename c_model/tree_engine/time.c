@@ -23,7 +23,9 @@ void sepax__tree_time_begin(tree_time *t, const sepax_config *config, int latenc
   *t = (tree_time){.span = spans[config->target != SEPAX_TARGET_ASIC],
                    .latency = (uint64_t)latency,
                    .ii = (uint64_t)config->ii,
-                   .cores = (uint64_t)config->cores};
+                   .cores = (uint64_t)config->cores,
+                   .most_rows = (uint64_t)config->rows,
+                   .most_leaves = (uint64_t)config->leaves};
 }
 
 /* Look up a block of `beats` beats in a set of a cache. If the block is not there, it replaces the
@@ -72,16 +74,16 @@ static void take_pass(tree_time *t, uint64_t tested) {
 
 /* Release the pair of leaves of the row before, and ask for the pair of this row. */
 static void take_leaves(tree_time *t, const time_row *row) {
-  uint64_t *released = &t->released[t->pairs_of_leaves % TIME_LEAVES];
+  uint64_t *released = &t->released[t->pairs_of_leaves % t->most_leaves];
   uint64_t now = later(row->now, *released);
   t->compare = later(t->compare, *released);
   t->leaves_there = now;
   if (t->places[0] != NULL) {
-    t->released[(t->pairs_of_leaves + TIME_LEAVES - 1) % TIME_LEAVES] = t->pairs;
+    t->released[(t->pairs_of_leaves + t->most_leaves - 1) % t->most_leaves] = t->pairs;
     t->places[0]->released = t->places[1]->released = t->pairs;
   }
   for (int body = 0; body < 2; body++) {
-    time_place *set = t->leaf[body][row->leaf[body] % TIME_LEAF_SETS];
+    time_place *set = t->leaf[body][row->leaf[body] % (t->most_leaves / TIME_WAYS)];
     t->places[body] = look_up(t, set, row->leaf[body], (uint64_t)row->beats[body], now);
     t->leaves_there = later(t->leaves_there, t->places[body]->there + t->span[MADE]);
     t->leaves[body] = row->leaf[body] + 1;
@@ -103,7 +105,7 @@ static uint64_t to_turn(uint32_t corners, uint32_t before) {
 }
 
 void sepax__tree_time_row(tree_time *t, const time_row *row) {
-  uint64_t *begun = &t->begun[t->rows++ % TIME_ROWS];
+  uint64_t *begun = &t->begun[t->rows++ % t->most_rows];
   t->compare = later(t->compare, *begun);
   uint64_t least = 3;
   if (row->leaf[0] + 1 != t->leaves[0] || row->leaf[1] + 1 != t->leaves[1]) {

@@ -10,11 +10,8 @@
 
 enum {
   TIME_NODE_SETS = 16,
-  TIME_LEAF_SETS = 2,
   TIME_WAYS = 4,
-  TIME_ROWS = 64,  /* rows in the row queue */
-  TIME_LEAVES = 8, /* pairs of leaves that are in and not released */
-  TIME_PAIRS = 16  /* pairs between the pair test and the cores */
+  TIME_PAIRS = 16 /* pairs between the pair test and the cores */
 };
 
 /* A place of a cache. */
@@ -28,22 +25,24 @@ typedef struct {
 typedef struct {
   const uint64_t *span; /* cycles of the steps of the target: time.c */
   uint64_t latency, ii, cores;
-  uint64_t asked;                    /* the last address went out */
-  uint64_t bus;                      /* the bus is free */
-  uint64_t compare;                  /* the compare path is free */
-  uint64_t pairs;                    /* the pair test is free */
-  uint64_t verdict;                  /* a core took the last pair */
+  uint64_t most_rows;   /* rows in the row queue */
+  uint64_t most_leaves; /* leaves of a body; also pairs of leaves that are in and not released */
+  uint64_t asked;       /* the last address went out */
+  uint64_t bus;         /* the bus is free */
+  uint64_t compare;     /* the compare path is free */
+  uint64_t pairs;       /* the pair test is free */
+  uint64_t verdict;     /* a core took the last pair */
   uint64_t free_at[SEPAX_CORES_MAX]; /* each core is free */
-  uint64_t begun[TIME_ROWS];         /* the first pair of row n was tested, at n modulo TIME_ROWS */
+  uint64_t begun[SEPAX_ROWS_MAX];    /* the first pair of row n was tested, at n modulo most_rows */
   uint64_t rows, uses;               /* numbers of rows and of uses of the caches */
   uint32_t corners;                  /* vertex numbers of the last row */
   uint32_t leaves[2];                /* leaves of the last row, + 1 */
   time_place *places[2];             /* places of these leaves */
-  uint64_t released[TIME_LEAVES];    /* pair of leaves n was released, at n modulo TIME_LEAVES */
-  uint64_t pairs_of_leaves;          /* their number */
-  uint64_t leaves_there;             /* the leaves of the last row are here */
+  uint64_t released[SEPAX_LEAVES_MAX]; /* pair of leaves n was released, at n modulo most_leaves */
+  uint64_t pairs_of_leaves;            /* their number */
+  uint64_t leaves_there;               /* the leaves of the last row are here */
   time_place node[2][TIME_NODE_SETS][TIME_WAYS];
-  time_place leaf[2][TIME_LEAF_SETS][TIME_WAYS];
+  time_place leaf[2][SEPAX_LEAVES_MAX / TIME_WAYS][TIME_WAYS];
 } tree_time;
 
 void sepax__tree_time_begin(tree_time *t, const sepax_config *config, int latency);

@@ -25,6 +25,8 @@ static void generate(emitter *e, emit_holes *of_top, int pairs) {
                                         {"fpga", m->family},
                                         {"move_is_word", 0},
                                         {"ii", c->ii},
+                                        {"leaf_sets", engine_log2(c->leaves) - 2},
+                                        {"rows", engine_log2(c->rows)},
                                         {"margin", design->limits > 0 ? design->margin[1] : 0},
                                         {NULL, 0}});
   emit_hole_set(&h, "data", "data_q");

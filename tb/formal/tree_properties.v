@@ -12,7 +12,7 @@ module read_properties (
     input wire [3:0] in_beats,
     input wire [1:0] in_tag, rresp
 );
-  wire in_ready, out_valid, out_last, arvalid, rready, idle;
+  wire in_ready, out_valid, out_last, out_error, arvalid, rready, idle;
   wire [3:0] out_beat;
   wire [1:0] out_tag;
   wire [12:0] araddr;
@@ -20,7 +20,8 @@ module read_properties (
   sepax_axi_read #(.ADDRESS(13), .TAG(2), .OPEN(1)) dut (
       .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_address(in_address),
       .in_beats(in_beats), .in_tag(in_tag), .pause(pause), .out_valid(out_valid),
-      .out_beat(out_beat), .out_last(out_last), .out_tag(out_tag), .idle(idle),
+      .out_beat(out_beat), .out_last(out_last), .out_error(out_error), .out_tag(out_tag),
+      .idle(idle),
       .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen), .rvalid(rvalid),
       .rready(rready), .rdata(128'd0), .rresp(rresp), .rlast(rlast));
   wire take = in_valid && in_ready;
@@ -29,7 +30,9 @@ module read_properties (
   wire [8:0] end_of_burst = {1'b0, araddr[11:4]} + {1'b0, arlen};
   (* anyconst *) wire [2:0] watched; // a request
   reg [2:0] taken = 3'd0, done = 3'd0; // requests, bursts that came
+  reg [2:0] own_taken = 3'd0, own_done = 3'd0; // of them not the host's: of tags without bit 0
   reg [2:0] sent = 3'd0, come = 3'd0;  // addresses, bursts on the bus
+  reg wrong;                           // the beat before was not OKAY, or its RLAST not right
   reg [3:0] beat = 4'd0;               // of the burst that comes, as the memory counts
   reg [1:0] tag;
   reg [3:0] beats;
@@ -49,6 +52,7 @@ module read_properties (
       length[taken] <= in_beats;
       waits[taken] <= in_tag[1];
       taken <= taken + 3'd1;
+      if (!in_tag[0]) own_taken <= own_taken + 3'd1;
       if (taken == watched) begin
         tag <= in_tag;
         beats <= in_beats;
@@ -60,6 +64,8 @@ module read_properties (
       if (bus_last) come <= come + 3'd1;
     end
     if (begun && last) done <= done + 3'd1;
+    if (begun && last && !out_tag[0]) own_done <= own_done + 3'd1;
+    wrong <= rresp != 2'd0 || rlast != bus_last;
     if (begun) begin
       if ($past(begun && arvalid && !arready)) begin
         assert (arvalid);
@@ -73,7 +79,8 @@ module read_properties (
       if (out_valid && done == watched) begin
         assert (out_tag == tag && out_last == (out_beat == beats));
       end
-      if (idle) assert (taken == done);
+      if (out_valid) assert (out_error == wrong);
+      assert (idle == (own_taken == own_done));
     end
   end
 endmodule
@@ -85,7 +92,12 @@ module fifo_properties (
 );
   wire valid;
   wire [1:0] out;
-  sepax_ram_fifo #(.WIDTH(2), .ADDRESS(2)) dut (
+`ifdef QUICK
+  localparam QUICK = 1;
+`else
+  localparam QUICK = 0;
+`endif
+  sepax_ram_fifo #(.WIDTH(2), .QUICK(QUICK), .ADDRESS(2)) dut (
       .clk(clk), .clear(clear), .push(push), .in(in), .valid(valid), .pop(pop), .out(out));
   reg [2:0] count = 3'd0;  // words
   reg [2:0] ahead;         // of the watched word
@@ -116,6 +128,7 @@ module fifo_properties (
       if (valid) assert (count != 3'd0);
       if (watch && ahead == 3'd0 && valid) assert (out == word);
       if ($past(begun && !clear && count != 3'd0 && !pop) && count != 3'd0) assert (valid);
+      if (QUICK != 0 && $past(begun && !clear)) assert (valid == (count != 3'd0));
     end
   end
 endmodule

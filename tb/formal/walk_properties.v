@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 `default_nettype none
 module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
-    input wire clk, start, clear, row, node_in_ready, node_out_valid, node_out_error, in_ready,
+    input wire clk, start, probe, clear, row, node_in_ready, node_out_valid, node_out_error, in_ready,
     input wire out_valid, out_last, out_columns, out_leaves, leaf_in_ready, row_ready,
     input wire [3:0] level_a, level_b, out_index,
     input wire [15:0] out_mask,
@@ -9,8 +9,8 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
 );
   localparam [15:0] PLACES = 1 << STACK;
   sepax_tree_walk #(.STACK(STACK), .LINE(LINE), .SLOT(2)) dut (
-      .clk(clk), .start(start), .clear(clear), .nodes_a(24'd0), .triangles_a(32'd0),
-      .beats_a(32'd0), .nodes_b(24'd0), .triangles_b(25'd0), .beats_b(32'd0), .row(row),
+      .clk(clk), .start(start), .probe(probe), .clear(clear), .nodes_a(24'd0),
+      .triangles_a(32'd0), .beats_a(32'd0), .nodes_b(24'd0), .triangles_b(25'd0), .beats_b(32'd0), .row(row),
       .row_leaf_a(23'd0), .row_leaf_b(23'd0), .row_a(4'd0), .row_b(4'd0),
       .node_in_ready(node_in_ready), .node_out_valid(node_out_valid), .node_out(node_out),
       .node_out_a(2'd0), .node_out_b(2'd0), .node_out_error(node_out_error),
@@ -23,6 +23,8 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
   (* hierconn *) wire [2:0] \dut.state_q , \dut.step_q , \dut.stored_q ;
   (* hierconn *) wire [LINE:0] \dut.line_q ;
   (* hierconn *) wire [STACK+1:0] \dut.load_q ;
+  (* hierconn *) wire [8:0] \dut.height_q ;
+  (* hierconn *) wire \dut.roots_q , \dut.probes ;
   (* hierconn *) wire [STACK:0] \dut.stack.count_q ;
   localparam [2:0] IDLE = 3'd0, PROBE = 3'd1, ROOT = 3'd2, FIRST = 3'd3, OVER = 3'd5;
   wire push = \dut.push , pop = \dut.pop , finish = \dut.finish , item = \dut.is_push ;
@@ -32,6 +34,9 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
 
   // Levels: sums of the levels of an entry's nodes.
   reg [15:0] height;      // of both roots
+  reg asked = 1'b0;       // a run began with other bodies
+  reg probed = 1'b0;      // roots were read, maybe for a run before
+  reg probing = 1'b0;     // and in the cycle before
   reg [15:0] most;        // none in the line is higher
   reg [15:0] level;       // of the oldest entry
   reg [15:0] made;        // what it has pushed
@@ -58,18 +63,26 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
   always @(posedge clk) begin
     begun <= 1'b1;
     if (state == PROBE) height <= {12'd0, level_a} + {12'd0, level_b};
+    probing <= state == PROBE;
+    probed <= probed || state == PROBE;
+    asked <= asked || (start && probe);
     if (finish) level <= {10'd0, any_level};
     if (push && count == {{(16-STACK){1'b0}}, watched}) watched_level <= in_level;
     made <= (clear || finish) ? 16'd0 : made + {15'd0, item && push};
     if (pop) most <= line == 16'd0 ? out_level : height;
-    away <= clear ? 16'd0 : away + {15'd0, start || pop} - {15'd0, \dut.store };
+    else if (start) most <= height;
+    away <= clear ? 16'd0 : away + {15'd0, (start && (\dut.probes || !row)) || pop} -
+            {15'd0, \dut.store };
   end
   always @* begin
     assume (begun || clear);
     assume (!start || state == IDLE && !clear);
+    assume (!start || probe || asked);
     assume (!node_out_valid || away != 16'd0);
     if (state == PROBE) begin
       assume (16'd15 * ({12'd0, level_a} + {12'd0, level_b}) + 16'd16 <= PLACES);
+      // The heads stand while they are checked.
+      if (\dut.current_q ) assume (height == {12'd0, level_a} + {12'd0, level_b});
     end
     // The trees: an item is one level lower; an own box has one item and does not go down.
     if (item && walking) begin
@@ -81,6 +94,11 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
     if (pop && !is_watched) begin
       assume (count + 16'd15 * popped_level <= PLACES && popped_level <= height);
     end
+    if (probing) assert (probed);
+    if (asked && \dut.roots_q ) assert (probed && 16'd15 * height + 16'd16 <= PLACES);
+    if (asked && \dut.roots_q ) assert (state != PROBE);
+    if (begun && state != IDLE) assert (asked);
+    if (probed) assert (\dut.height_q == 16'd15 * height && height <= 16'd30);
     if (begun) begin
       // What came with an error is neither read nor compared.
       if (node_out_valid && node_out_error) assert (!\dut.head_read && !\dut.in_valid );
@@ -88,6 +106,8 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
       assert (step == 3'd0 || away != 16'd0);
       assert (stored <= 3'd4 && !(step != 3'd0 && stored == 3'd4));
       assert (state <= 3'd5);
+      if (state == PROBE && !probing) assert (!\dut.current_q );
+      if (state == ROOT || state == FIRST || walking) assert (probed);
       if (state == IDLE) begin
         assert (away == 16'd0 && stored == 3'd0 && !\dut.current_q && line == 16'd0);
       end

@@ -88,7 +88,7 @@ module sepax_engine (
   assign m_axi_arburst = 2'b01;
 
   // Registers and counts of the batch.
-  wire start, stop, busy, done, send, send_busy, last, hit;
+  wire start, stop, busy, done, send, send_room, send_busy, sent, last, hit;
   wire [32:0] list;
   wire [31:0] jobs, job, pose, poses_done, hits, hit_job, hit_pose, batch_cycles;
   wire [5:0]  status, all_status;
@@ -111,11 +111,15 @@ module sepax_engine (
   );
 
   // Job and pose.
-  wire ask, fetch_busy, fetch_error, read, clear, load_job, load_pose, bad_job, bad_pose;
-  wire run_idle, run_start, run_stop, run_cold, run_done, any, stopped, damaged, run_error, row;
-  wire [ADDRESS-1:0]  ask_address;
-  wire [3:0]          ask_beats, read_beat, beat;
-  wire [127:0]        read_data;
+  wire ask, fetch_busy, fetch_error, read, clear, load, bad_job, begin_poses, drop_poses;
+  wire more_poses, pose_valid, take_pose, pose_failed, bad_pose, pose_fill;
+  wire run_idle, run_start, run_stop, run_cold, run_probe, run_done, any, stopped, damaged;
+  wire run_error, row, host_valid, host_ready, host_fill, host_last, host_error;
+  wire [ADDRESS-8:0]  ask_job;
+  wire [ADDRESS-5:0]  host_address;
+  wire [3:0]          host_beats, host_beat, take_slot, fill_slot;
+  wire [2:0]          read_beat, beat;
+  wire [127:0]        read_data, host_data;
   wire [ADDRESS-13:0] base_a, base_b;
   wire [23:0]         nodes_a, nodes_b;
   wire [31:0]         triangles_a, beats_a, beats_b, count, budget;
@@ -132,37 +136,45 @@ module sepax_engine (
 
   sepax_tree_jobs #(.ADDRESS(ADDRESS)) control (
     .clk(aclk), .rst(rst), .start(start), .stop(stop), .list(list), .jobs(jobs), .busy(busy),
-    .done(done), .job(job), .pose(pose), .ask(ask), .ask_address(ask_address),
-    .ask_beats(ask_beats), .fetch_busy(fetch_busy), .fetch_error(fetch_error), .read(read),
-    .read_beat(read_beat), .clear(clear), .load_job(load_job), .load_pose(load_pose), .beat(beat),
-    .bad_job(bad_job), .bad_pose(bad_pose), .poses(poses), .count(count),
-    .modes({modes[6:2], modes[0]}),
+    .done(done), .job(job), .pose(pose), .ask(ask), .ask_job(ask_job), .fetch_busy(fetch_busy),
+    .fetch_error(fetch_error), .read(read), .read_beat(read_beat), .clear(clear), .load(load),
+    .beat(beat), .bad_job(bad_job), .begin_poses(begin_poses), .drop_poses(drop_poses),
+    .more_poses(more_poses), .pose_valid(pose_valid), .take_pose(take_pose),
+    .pose_failed(pose_failed), .bad_pose(bad_pose), .modes({modes[6:2], modes[0]}),
     .job_row_a(job_row_a), .job_row_b(job_row_b), .run_idle(run_idle), .run_start(run_start),
-    .run_stop(run_stop), .run_cold(run_cold), .row(row), .row_a(row_a), .row_b(row_b),
-    .run_done(run_done), .any(any), .undecided(|out_of_range), .stopped(stopped),
-    .damaged(damaged), .run_error(run_error), .first_row_a(first_row_a),
+    .run_stop(run_stop), .run_cold(run_cold), .run_probe(run_probe), .row(row), .row_a(row_a),
+    .row_b(row_b), .run_done(run_done), .any(any), .undecided(|out_of_range),
+    .stopped(stopped), .damaged(damaged), .run_error(run_error), .first_row_a(first_row_a),
     .first_row_b(first_row_b), .send(send), .status(status), .last(last),
-    .send_busy(send_busy)
+    .send_room(send_room), .send_busy(send_busy)
   );
 
   sepax_tree_job #(.ADDRESS(ADDRESS)) of_job (
-    .clk(aclk), .clear(clear), .load(load_job), .beat(beat), .data(read_data), .bad(bad_job),
+    .clk(aclk), .clear(clear), .load(load), .beat(beat), .data(read_data), .bad(bad_job),
     .base_a(base_a), .nodes_a(nodes_a), .triangles_a(triangles_a), .beats_a(beats_a),
     .base_b(base_b), .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b),
     .poses(poses), .count(count), .modes(modes), .budget(budget), .row_a(job_row_a),
     .row_b(job_row_b)
   );
 
-  sepax_tree_pose of_pose (
-    .clk(aclk), .clear(clear), .load(load_pose), .beat(beat), .data(read_data), .bad(bad_pose),
-    .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t), .shift_u(shift_u),
-    .sigma_a(sigma_a), .sigma_b(sigma_b)
+  sepax_tree_fetch #(.ADDRESS(ADDRESS), .SLOTS(4)) fetch (
+    .clk(aclk), .rst(rst), .ask(ask), .job(ask_job), .busy(fetch_busy), .error(fetch_error),
+    .read(read), .read_beat(read_beat), .read_data(read_data), .begins(begin_poses),
+    .poses(poses), .count(count), .drop(drop_poses), .more(more_poses), .valid(pose_valid),
+    .take(take_pose), .take_slot(take_slot), .fill(pose_fill), .fill_slot(fill_slot),
+    .burst(host_valid), .burst_ready(host_ready), .burst_address(host_address),
+    .burst_beats(host_beats), .came(host_fill), .came_data(host_data), .came_beat(host_beat[2:0]),
+    .came_last(host_last), .came_error(host_error)
+  );
+
+  sepax_tree_pose #(.SLOTS(4)) of_pose (
+    .clk(aclk), .write(pose_fill), .write_slot(fill_slot), .beat(host_beat), .data(host_data),
+    .error(host_error), .read(take_pose), .read_slot(take_slot), .failed(pose_failed),
+    .bad(bad_pose), .matrix_m(matrix_m), .matrix_k(matrix_k), .shift_t(shift_t),
+    .shift_u(shift_u), .sigma_a(sigma_a), .sigma_b(sigma_b)
   );
 
   // The engine and the cores.
-  wire engine_arvalid, engine_arready, engine_rvalid, engine_rready;
-  wire [ADDRESS-1:0] engine_araddr;
-  wire [7:0]         engine_arlen;
   wire pair_valid, pair_ready, pair_outside, in_flight, verdict_valid, verdict_ready;
   wire verdict_outside, collision, coplanar, warning, result_valid, result_ready;
   wire result_coplanar, result_outside, result_warning;
@@ -171,10 +183,12 @@ module sepax_engine (
   wire [23:0]    result_b;
 
   sepax_tree_engine #(
-    .W(W), .MARGIN(@margin@), .FLIGHT(@flight_log2@), .ADDRESS(ADDRESS)
+    .W(W), .MARGIN(@margin@), .FLIGHT(@flight_log2@), .LEAF_SETS(@leaf_sets@), .ROWS(@rows@),
+    .ADDRESS(ADDRESS)
   ) engine (
-    .clk(aclk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold), .idle(run_idle),
-    .done(run_done), .hit(hit), .first(modes[0]), .quiet(modes[1]),
+    .clk(aclk), .rst(rst), .start(run_start), .stop(run_stop), .cold(run_cold),
+    .probe(run_probe), .idle(run_idle), .done(run_done), .hit(hit), .first(modes[0]),
+    .quiet(modes[1]), .clear_counts(sent || start),
     .budget((|budget) ? budget : 32'hffffffff), .base_a(base_a), .nodes_a(nodes_a), //@ !fpga
     .budget(budget), .base_a(base_a), .nodes_a(nodes_a), //@ fpga
     .triangles_a(triangles_a), .beats_a(beats_a), .base_b(base_b), .nodes_b(nodes_b),
@@ -192,8 +206,11 @@ module sepax_engine (
     .collisions(collisions), .out_of_range(out_of_range), .warnings(warnings), .cycles(cycles),
     .first_a(first_a), .first_b(first_b), .first_leaf_a(first_row_a[22:0]),
     .first_leaf_b(first_row_b[22:0]), .first_row_a(first_row_a[26:23]),
-    .first_row_b(first_row_b[26:23]), .arvalid(engine_arvalid), .arready(engine_arready),
-    .araddr(engine_araddr), .arlen(engine_arlen), .rvalid(engine_rvalid), .rready(engine_rready),
+    .first_row_b(first_row_b[26:23]), .host_valid(host_valid), .host_ready(host_ready),
+    .host_address(host_address), .host_beats(host_beats), .host_fill(host_fill),
+    .host_data(host_data), .host_beat(host_beat), .host_last(host_last),
+    .host_error(host_error), .arvalid(m_axi_arvalid), .arready(m_axi_arready),
+    .araddr(m_axi_araddr), .arlen(m_axi_arlen), .rvalid(m_axi_rvalid), .rready(m_axi_rready),
     .rdata(m_axi_rdata), .rresp(m_axi_rresp), .rlast(m_axi_rlast)
   );
 
@@ -206,24 +223,14 @@ module sepax_engine (
     .verdict_ready(verdict_ready), .verdict_info(verdict_outside)
   );
 
-  sepax_tree_fetch #(.ADDRESS(ADDRESS)) fetch (
-    .clk(aclk), .rst(rst), .ask(ask), .ask_address(ask_address), .ask_beats(ask_beats),
-    .busy(fetch_busy), .error(fetch_error), .read(read), .read_beat(read_beat),
-    .read_data(read_data), .engine_arvalid(engine_arvalid), .engine_arready(engine_arready),
-    .engine_araddr(engine_araddr), .engine_arlen(engine_arlen), .engine_rvalid(engine_rvalid),
-    .engine_rready(engine_rready), .arvalid(m_axi_arvalid), .arready(m_axi_arready),
-    .araddr(m_axi_araddr), .arlen(m_axi_arlen), .rvalid(m_axi_rvalid), .rready(m_axi_rready),
-    .rdata(m_axi_rdata), .rresp(m_axi_rresp), .rlast(m_axi_rlast)
-  );
-
   sepax_tree_results results (
     .clk(aclk), .rst(rst), .valid(result_valid), .ready(result_ready), .a(result_a), .b(result_b),
-    .coplanar(result_coplanar), .outside(result_outside), .warning(result_warning), .send(send),
-    .status({last, status}), .busy(send_busy), .job(job), .pose(pose), .steps(steps),
-    .cycles(cycles), .near(near), .collisions(collisions), .warnings(warnings),
-    .out_of_range(out_of_range), .pairs(pairs), .rows(rows), .entries(entries),
-    .first_a(first_a), .first_b(first_b), .first_row_a(first_row_a), .first_row_b(first_row_b),
-    .tvalid(m_axis_tvalid),
+    .coplanar(result_coplanar), .outside(result_outside), .warning(result_warning),
+    .send(send), .status({last, status}), .room(send_room), .sent(sent), .busy(send_busy),
+    .job(job), .pose(pose), .steps(steps), .cycles(cycles), .near(near),
+    .collisions(collisions), .warnings(warnings), .out_of_range(out_of_range), .pairs(pairs),
+    .rows(rows), .entries(entries), .first_a(first_a), .first_b(first_b),
+    .first_row_a(first_row_a), .first_row_b(first_row_b), .tvalid(m_axis_tvalid),
     .tready(m_axis_tready), .tdata(m_axis_tdata), .tlast(m_axis_tlast)
   );
 endmodule

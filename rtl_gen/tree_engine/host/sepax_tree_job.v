@@ -7,7 +7,7 @@ module sepax_tree_job #(
   input  wire                clk,         // clock
   input  wire                clear,       // another job begins
   input  wire                load,        // a beat of the job is here
-  input  wire [3:0]          beat,        // number of the beat, 0 ... 5
+  input  wire [2:0]          beat,        // number of the beat, 0 ... 5
   input  wire [127:0]        data,        // the beat, byte 0 lowest
   output reg                 bad,         // a number of the job is out of its range
   output reg  [ADDRESS-13:0] base_a,      // A's image / 4096
@@ -37,26 +37,26 @@ module sepax_tree_job #(
   reg  [31:0] budget_q;
   reg         far_q, wrong_nodes_q, none_q, many_q, above_q, wrong_poses_q;
   reg         load_q, wrong_q;
-  reg  [3:0]  beat_q;
+  reg  [2:0]  beat_q;
   //@ end
 
   always @(*) begin
     node_beats = beat[1] ? {nodes_b, 3'd0} : {nodes_a, 3'd0};
     //@ if fpga
     case (beat_q)
-      4'd0: wrong = far_q || wrong_nodes_q || none_q;
-      4'd2: wrong = far_q || wrong_nodes_q || none_q || many_q;
-      4'd1, 4'd3: wrong = above_q;
-      4'd4: wrong = far_q || wrong_poses_q;
+      3'd0: wrong = far_q || wrong_nodes_q || none_q;
+      3'd2: wrong = far_q || wrong_nodes_q || none_q || many_q;
+      3'd1, 3'd3: wrong = above_q;
+      3'd4: wrong = far_q || wrong_poses_q;
       default: wrong = 1'b0;
     endcase
     //@ else
     case (beat)
-      4'd0: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last);
-      4'd2: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last) || (|last[31:25]) ||
+      3'd0: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last);
+      3'd2: wrong = beyond || (|address[11:0]) || bad_nodes || !(|last) || (|last[31:25]) ||
                     (last[24] && (|last[23:0]));
-      4'd1, 4'd3: wrong = {5'd0, node_beats} > data[31:0];
-      4'd4: wrong = beyond || (|address[7:0]) || !(|number) || (|last[31:7]);
+      3'd1, 3'd3: wrong = {5'd0, node_beats} > data[31:0];
+      3'd4: wrong = beyond || (|address[7:0]) || !(|number) || (|last[31:7]);
       default: wrong = 1'b0;
     endcase
     //@ end
@@ -77,11 +77,11 @@ module sepax_tree_job #(
     //@ end
     if (load) begin
       case (beat)
-        4'd0: {triangles_a, nodes_a, base_a} <= {last, number[23:0], address[ADDRESS-1:12]};
-        4'd1: beats_a <= data[31:0];
-        4'd2: {triangles_b, nodes_b, base_b} <= {last[24:0], number[23:0], address[ADDRESS-1:12]};
-        4'd3: beats_b <= data[31:0];
-        4'd4: {modes, count, poses} <= {last[6:0], number, address[ADDRESS-1:8]};
+        3'd0: {triangles_a, nodes_a, base_a} <= {last, number[23:0], address[ADDRESS-1:12]};
+        3'd1: beats_a <= data[31:0];
+        3'd2: {triangles_b, nodes_b, base_b} <= {last[24:0], number[23:0], address[ADDRESS-1:12]};
+        3'd3: beats_b <= data[31:0];
+        3'd4: {modes, count, poses} <= {last[6:0], number, address[ADDRESS-1:8]};
         default: {row_b, row_a, budget} <= {last[26:0], number[26:0], data[31:0]}; //@ !fpga
         default: {row_b, row_a, budget_q} <= {last[26:0], number[26:0], data[31:0]}; //@ fpga
       endcase

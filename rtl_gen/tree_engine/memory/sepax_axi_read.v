@@ -2,7 +2,8 @@
 // AXI4 read master: bursts of 1 to 16 beats of 16 bytes, one ID, up to 2^OPEN open bursts. A burst
 // enters the list of open bursts before its address goes out. A beat goes out in the cycle after it
 // came, and cannot be stopped. There is one exception: while `pause` is 1, the first beat of a
-// burst whose tag has the highest bit set waits on the bus.
+// burst whose tag has the highest bit set waits on the bus. Bursts whose tag has the second highest
+// bit set are the host's: `idle` does not wait for them.
 module sepax_axi_read #(
   parameter ADDRESS = 40, // bits of a byte address
   parameter TAG = 8,      // bits of a tag
@@ -22,7 +23,7 @@ module sepax_axi_read #(
   output reg                out_last,   // the beat is the last of its burst
   output reg                out_error,  // not OKAY, or RLAST at the wrong beat
   output reg  [TAG-1:0]     out_tag,    // the burst's tag
-  output wire               idle,       // no burst is open
+  output wire               idle,       // no burst is open but the host's
   output reg                arvalid,    // AXI4: an address
   input  wire               arready,    // it is taken in this cycle
   output wire [ADDRESS-1:0] araddr,     // byte address, a multiple of 16
@@ -36,6 +37,7 @@ module sepax_axi_read #(
   reg  [ADDRESS-5:0] address_q;
   reg  [3:0]         beats_q;
   reg  [OPEN:0]      open_q; // number of open bursts
+  reg  [OPEN:0]      own_q;  // number of open bursts that are not the host's
   reg                gone_q; // the last beat of a burst came in the cycle before //@ fpga
   reg  [3:0]         beat_q; // number of the next beat in its burst
   wire               take = in_valid && in_ready;
@@ -44,10 +46,12 @@ module sepax_axi_read #(
   wire [TAG-1:0]     tag;
   wire               last = (beat_q == beats);
   wire               beat = rvalid && rready;
+  wire               own_in = take && !in_tag[TAG-2];
+  wire               own_out = beat && last && !tag[TAG-2];
 
   assign in_ready = !arvalid && !open_q[OPEN];
   assign rready = known && !(!(|beat_q) && tag[TAG-1] && pause);
-  assign idle = !(|open_q) && !out_valid;
+  assign idle = !(|own_q) && !(out_valid && !out_tag[TAG-2]);
   assign araddr = {address_q, 4'd0};
   assign arlen = {4'd0, beats_q};
 
@@ -62,6 +66,7 @@ module sepax_axi_read #(
       out_valid <= 1'b0;
       beat_q <= 4'd0;
       open_q <= {(OPEN+1){1'b0}};
+      own_q <= {(OPEN+1){1'b0}};
       gone_q <= 1'b0; //@ fpga
     end else begin
       arvalid <= take || (arvalid && !arready);
@@ -71,6 +76,7 @@ module sepax_axi_read #(
       end
       open_q <= open_q + {{OPEN{1'b0}}, take} - {{OPEN{1'b0}}, beat && last}; //@ !fpga
       open_q <= open_q + {{OPEN{1'b0}}, take} - {{OPEN{1'b0}}, gone_q}; //@ fpga
+      own_q <= own_q + {{OPEN{1'b0}}, own_in} - {{OPEN{1'b0}}, own_out};
       gone_q <= beat && last; //@ fpga
     end
     if (take) begin

@@ -7,6 +7,7 @@
 module sepax_cache #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter INFO = 32,    // bits that go with a pair
+  parameter QUICK = 0,    // a pair whose blocks are here comes out a cycle earlier
   parameter SETS = 4,     // log2 of the sets of 4 ways a body
   parameter WINDOW = 5    // log2 of the most pairs between in and release
 ) (
@@ -78,7 +79,9 @@ module sepax_cache #(
     .number(number_q), .used(used_q), .found(found_b), .slot(slot_b), .next(in_ready),
     .miss_valid(miss_b), .miss_ready(miss_ready && !miss_a)
   );
-  sepax_ram_fifo #(.WIDTH(INFO+2*SETS+4+2*COUNT), .ADDRESS(WINDOW)) pairs (
+  sepax_ram_fifo #(
+    .WIDTH(INFO+2*SETS+4+2*COUNT), .QUICK(QUICK), .ADDRESS(WINDOW)
+  ) pairs (
     .clk(clk), .clear(clear), .push(in_ready), .in({in_info, slot_a, slot_b, @asked@}),
     .valid(waiting), .pop(take), .out({out_info, out_a, out_b, wait_a, wait_b})
   );

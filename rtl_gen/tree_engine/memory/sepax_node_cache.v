@@ -7,7 +7,9 @@
 // The cache of nodes: 128 bytes each, 2^SETS sets of 4 nodes for each body. Each body has a memory
 // of its own, which is 128 bytes wide. The first 32 bytes of a node, its head, are read separately.
 //@ end
+// Of a head, only the bits that the engine reads are kept; the others are read as 0.
 module sepax_node_cache #(
+  parameter W = 18,       // bits of a coordinate, 4 ... 21
   parameter ADDRESS = 40, // bits of a byte address
   parameter INFO = 32,    // bits that go with a pair
   parameter SETS = 4,     // log2 of the sets of 4 nodes a body
@@ -74,10 +76,52 @@ module sepax_node_cache #(
   wire [BLOCK-1:0] block;
   wire             is_b = fill_tag[SETS+2];
   reg              error_q; // an earlier beat of the burst came with an error
+  localparam HEAD = 3 * W + 24; // bits that are kept of the first beat
+  wire [HEAD-1:0]  head_in = {
+    fill_data[119:96], fill_data[64 +: W], fill_data[32 +: W], fill_data[0 +: W]
+  };
+  wire [87:0]      rest_in = {fill_data[119:96], fill_data[63:0]}; // of the second beat
+  wire             write_head = fill && (fill_beat == 3'd0);
+  wire             write_rest = fill && (fill_beat == 3'd1);
+  wire [HEAD-1:0]  head_out_a, head_out_b;
+  wire [87:0]      rest_out_a, rest_out_b;
+
+  assign node_a[255:0] = {
+    8'd0, rest_out_a[87:64], 32'd0, rest_out_a[63:0], 8'd0, head_out_a[3*W +: 24],
+    {(32-W){1'b0}}, head_out_a[2*W +: W], {(32-W){1'b0}}, head_out_a[W +: W],
+    {(32-W){1'b0}}, head_out_a[0 +: W]
+  };
+  assign node_b[255:0] = {
+    8'd0, rest_out_b[87:64], 32'd0, rest_out_b[63:0], 8'd0, head_out_b[3*W +: 24],
+    {(32-W){1'b0}}, head_out_b[2*W +: W], {(32-W){1'b0}}, head_out_b[W +: W],
+    {(32-W){1'b0}}, head_out_b[0 +: W]
+  };
+  sepax_ram #(.WIDTH(HEAD), .ADDRESS(SETS+2), .DISTRIBUTED(1)) heads_a ( //@ fpga
+  sepax_ram #(.WIDTH(HEAD), .ADDRESS(SETS+2)) heads_a ( //@ !fpga
+    .clk(clk), .write(write_head && !is_b), .write_address(fill_tag[SETS+1:0]),
+    .write_data(head_in), .read(head_a), .read_address(head_slot_a), .read_data(head_out_a)
+  );
+  sepax_ram #(.WIDTH(HEAD), .ADDRESS(SETS+2), .DISTRIBUTED(1)) heads_b ( //@ fpga
+  sepax_ram #(.WIDTH(HEAD), .ADDRESS(SETS+2)) heads_b ( //@ !fpga
+    .clk(clk), .write(write_head && is_b), .write_address(fill_tag[SETS+1:0]),
+    .write_data(head_in), .read(head_b), .read_address(head_slot_b), .read_data(head_out_b)
+  );
+  sepax_ram #(.WIDTH(88), .ADDRESS(SETS+2), .DISTRIBUTED(1)) rests_a ( //@ fpga
+  sepax_ram #(.WIDTH(88), .ADDRESS(SETS+2)) rests_a ( //@ !fpga
+    .clk(clk), .write(write_rest && !is_b), .write_address(fill_tag[SETS+1:0]),
+    .write_data(rest_in), .read(head_a), .read_address(head_slot_a), .read_data(rest_out_a)
+  );
+  sepax_ram #(.WIDTH(88), .ADDRESS(SETS+2), .DISTRIBUTED(1)) rests_b ( //@ fpga
+  sepax_ram #(.WIDTH(88), .ADDRESS(SETS+2)) rests_b ( //@ !fpga
+    .clk(clk), .write(write_rest && is_b), .write_address(fill_tag[SETS+1:0]),
+    .write_data(rest_in), .read(head_b), .read_address(head_slot_b), .read_data(rest_out_b)
+  );
 
   assign miss_address = {block, 3'd0};
 
-  sepax_cache #(.ADDRESS(BLOCK), .INFO(INFO), .SETS(SETS), .WINDOW(WINDOW)) cache (
+  sepax_cache #(
+    .ADDRESS(BLOCK), .INFO(INFO), .QUICK(1), .SETS(SETS), .WINDOW(WINDOW)
+  ) cache (
     .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .in_valid(in_valid), .in_ready(in_ready), .in_a(block_a), .in_b(block_b), .in_info(in_info),
     .out_valid(out_valid), .out_ready(out_ready), .out_a(out_a), .out_b(out_b),
@@ -101,19 +145,6 @@ module sepax_node_cache #(
 
   genvar i, j, k;
   generate
-    for (k = 0; k < 2; k = k + 1) begin : head
-      wire write = fill && (fill_beat == k[2:0]);
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(1)) nodes_a (
-        .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(head_a), .read_address(head_slot_a),
-        .read_data(node_a[128*k +: 128])
-      );
-      sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2), .DISTRIBUTED(1)) nodes_b (
-        .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(head_b), .read_address(head_slot_b),
-        .read_data(node_b[128*k +: 128])
-      );
-    end
     for (k = 0; k < 6; k = k + 1) begin : beat
       localparam [2:0] BEAT = k + 2;
       sepax_ram #(.WIDTH(128), .ADDRESS(SETS+3)) of_nodes (
@@ -162,18 +193,16 @@ module sepax_node_cache #(
 //@ else
   genvar k;
   generate
-    for (k = 0; k < 8; k = k + 1) begin : beat
+    for (k = 2; k < 8; k = k + 1) begin : beat
       wire write = fill && (fill_beat == k[2:0]);
       sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_a (
         .clk(clk), .write(write && !is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(k < 2 ? head_a : read_a),
-        .read_address(k < 2 ? head_slot_a : slot_a),
+        .write_data(fill_data), .read(read_a), .read_address(slot_a),
         .read_data(node_a[128*k +: 128])
       );
       sepax_ram #(.WIDTH(128), .ADDRESS(SETS+2)) nodes_b (
         .clk(clk), .write(write && is_b), .write_address(fill_tag[SETS+1:0]),
-        .write_data(fill_data), .read(k < 2 ? head_b : read_b),
-        .read_address(k < 2 ? head_slot_b : slot_b),
+        .write_data(fill_data), .read(read_b), .read_address(slot_b),
         .read_data(node_b[128*k +: 128])
       );
     end

@@ -3,7 +3,8 @@
 // port; leaves become triangles (docs/reference/tree-engine.md, Memory side). Nodes and leaves are
 // asked for in pairs, one of A and one of B. A pair comes out when both are here, in the order in
 // which the pairs went in. Both stay here until the pair is released; pairs are released in order.
-// A slot may be read in any cycle between out and release.
+// A slot may be read in any cycle between out and release. The host reads jobs and poses through
+// the same port: its bursts go last, and their beats come out as they are.
 module sepax_tree_memory #(
   parameter W = 18,          // bits of a coordinate, 4 ... 21
   parameter ADDRESS = 40,    // bits of a byte address, 37 ... 64
@@ -20,7 +21,7 @@ module sepax_tree_memory #(
   input  wire                  start,           // a run begins; only while idle and no pair goes in
   input  wire                  cold,            // with start: empty the caches
   input  wire                  drop,            // the run ends: drop all pairs
-  output wire                  idle,            // no burst is open
+  output wire                  idle,            // no burst is open but the host's
   input  wire [ADDRESS-13:0]   base_a,          // A's image / 4096; does not change in a run
   input  wire [ADDRESS-13:0]   base_b,          // B's image / 4096; does not change in a run
   // pairs of nodes in, out; release
@@ -87,6 +88,16 @@ module sepax_tree_memory #(
   input  wire                  corners_read_b,  // read the vertex numbers of a triangle of B
   input  wire [LEAF_SETS+5:0]  corners_slot_b,  // {slot of its leaf, its number in the leaf}
   output wire [14:0]           corners_b,       // {number of vertex 2, of 1, of 0} in the leaf
+  // bursts of the host
+  input  wire                  host_valid,      // a burst is wanted
+  output wire                  host_ready,      // it is taken in this cycle
+  input  wire [ADDRESS-5:0]    host_address,    // place of its first beat, in units of 16 bytes
+  input  wire [3:0]            host_beats,      // its beats less 1; it does not cross 4 KB
+  output wire                  host_fill,       // a beat of the host has come
+  output wire [127:0]          host_data,       // the beat
+  output wire [3:0]            host_beat,       // its number in the burst
+  output wire                  host_last,       // the last beat of its burst
+  output wire                  host_error,      // it came with an error
   // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
   output wire                  arvalid,         // an address
   input  wire                  arready,         // it is taken in this cycle
@@ -98,7 +109,7 @@ module sepax_tree_memory #(
   input  wire [1:0]            rresp,           // 0: OKAY; otherwise an error
   input  wire                  rlast            // the last beat of its burst
 );
-  localparam TAG = NODE_SETS + 4; // bits of a burst's tag: {is a leaf's, is B's, slot}
+  localparam TAG = NODE_SETS + 5; // bits of a burst's tag: {a leaf's, the host's, is B's, slot}
   wire                 leaf_idle, read_idle;
   wire                 node_miss, leaf_miss, read_ready;
   wire [ADDRESS-5:0]   node_address, leaf_address;
@@ -117,11 +128,16 @@ module sepax_tree_memory #(
   wire [TAG-1:0]       fill_tag;
   //@ end
   wire                 of_leaf = fill_tag[TAG-1];
+  wire                 of_host = fill_tag[TAG-2];
   wire [119:0]         numbers;   // a beat as vertex numbers
   wire [3*W-1:0]       even, odd; // a beat as two vertices
   wire                 busy;      // no other record may begin to come
 
   assign idle = leaf_idle && read_idle;
+  assign host_fill = fill && of_host;
+  assign {host_data, host_beat, host_last, host_error} = {
+    fill_data, fill_beat, fill_last, fill_error
+  };
   //@ if fpga
   // Registers before and after the read master. A request that waits in them for more than a cycle
   // finds an open burst, so `idle` does not miss it.
@@ -155,6 +171,9 @@ module sepax_tree_memory #(
   end
   //@ end
 
+  assign host_ready = read_ready && !leaf_asked_q && !node_asked_q; //@ fpga
+  assign host_ready = read_ready && !leaf_miss && !node_miss; //@ !fpga
+
   genvar k;
   generate
     for (k = 0; k < 8; k = k + 1) begin : triangle
@@ -167,7 +186,7 @@ module sepax_tree_memory #(
   endgenerate
 
   sepax_node_cache #(
-    .ADDRESS(ADDRESS), .INFO(NODE_INFO), .SETS(NODE_SETS), .WINDOW(NODE_WINDOW)
+    .W(W), .ADDRESS(ADDRESS), .INFO(NODE_INFO), .SETS(NODE_SETS), .WINDOW(NODE_WINDOW)
   ) nodes (
     .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop),
     .base_a(base_a), .base_b(base_b), .in_valid(node_in_valid), .in_ready(node_in_ready),
@@ -188,7 +207,7 @@ module sepax_tree_memory #(
     //@ else
     .miss_valid(node_miss), .miss_ready(read_ready && !leaf_miss), .miss_address(node_address),
     //@ end
-    .miss_tag(node_tag), .fill(fill && !of_leaf), .fill_data(fill_data),
+    .miss_tag(node_tag), .fill(fill && !of_leaf && !of_host), .fill_data(fill_data),
     .fill_beat(fill_beat[2:0]), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag[NODE_SETS+2:0])
   );
@@ -210,22 +229,24 @@ module sepax_tree_memory #(
     .fill_odd(odd), .fill_beat(fill_beat), .fill_last(fill_last), .fill_error(fill_error),
     .fill_tag(fill_tag[LEAF_SETS+2:0]), .busy(busy), .idle(leaf_idle)
   );
-  // Leaves go first, because the cores wait for them.
+  // Leaves go first, because the cores wait for them. The host goes last, because it reads ahead.
   sepax_axi_read #(.ADDRESS(ADDRESS), .TAG(TAG), .OPEN(OPEN)) read (
     //@ if fpga
-    .clk(clk), .rst(rst), .in_valid(leaf_asked_q || node_asked_q), .in_ready(read_ready),
-    .in_address(leaf_asked_q ? leaf_address_q : node_address_q),
-    .in_beats(leaf_asked_q ? leaf_beats_q : 4'd7),
-    .in_tag(leaf_asked_q ? {1'b1, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag_q}
-                         : {1'b0, node_tag_q}),
+    .clk(clk), .rst(rst), .in_valid(leaf_asked_q || node_asked_q || host_valid),
+    .in_ready(read_ready),
+    .in_address(leaf_asked_q ? leaf_address_q : node_asked_q ? node_address_q : host_address),
+    .in_beats(leaf_asked_q ? leaf_beats_q : node_asked_q ? 4'd7 : host_beats),
+    .in_tag(leaf_asked_q ? {2'b10, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag_q}
+                         : {1'b0, !node_asked_q, node_tag_q}),
     .pause(busy), .out_valid(read_fill),
     .out_data(read_data), .out_beat(read_beat), .out_last(read_last), .out_error(read_error),
     .out_tag(read_tag), .idle(read_idle),
     //@ else
-    .clk(clk), .rst(rst), .in_valid(leaf_miss || node_miss), .in_ready(read_ready),
-    .in_address(leaf_miss ? leaf_address : node_address),
-    .in_beats(leaf_miss ? leaf_beats : 4'd7),
-    .in_tag(leaf_miss ? {1'b1, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag} : {1'b0, node_tag}),
+    .clk(clk), .rst(rst), .in_valid(leaf_miss || node_miss || host_valid), .in_ready(read_ready),
+    .in_address(leaf_miss ? leaf_address : node_miss ? node_address : host_address),
+    .in_beats(leaf_miss ? leaf_beats : node_miss ? 4'd7 : host_beats),
+    .in_tag(leaf_miss ? {2'b10, {(NODE_SETS-LEAF_SETS){1'b0}}, leaf_tag}
+                      : {1'b0, !node_miss, node_tag}),
     .pause(busy), .out_valid(fill), .out_data(fill_data), .out_beat(fill_beat),
     .out_last(fill_last), .out_error(fill_error), .out_tag(fill_tag), .idle(read_idle),
     //@ end

@@ -11,7 +11,8 @@ module sepax_tree_engine #(
   parameter STACK = 10,    // log2 of the places of the stack, 9 or more
   parameter LINE = 5,      // log2 of the places of the line, 2 or more
   parameter NODE_SETS = 4, // log2 of the sets of 4 nodes a body
-  parameter LEAF_SETS = 1  // log2 of the sets of 4 leaves a body
+  parameter LEAF_SETS = 2, // log2 of the sets of 4 leaves a body
+  parameter ROWS = 7       // log2 of the most rows that wait
 ) (
   input  wire               clk,             // clock
   input  wire               rst,             // synchronous reset, active high; AXI's, too
@@ -19,12 +20,14 @@ module sepax_tree_engine #(
   input  wire               start,           // a run begins; only while idle
   input  wire               stop,            // end the run
   input  wire               cold,            // with start: empty the caches
+  input  wire               probe,           // with start: the bodies may be others than before
   output wire               idle,            // a run may begin
   output wire               done,            // a pulse: the run has ended, all results are taken
   output wire               hit,             // a pulse: the first collision was found
   input  wire               first,           // end the run at its first collision
   input  wire               quiet,           // send no results
   input  wire [31:0]        budget,          // cycles after which the run ends, 1 or more
+  input  wire               clear_counts,    // set counters to 0; not while a run counts
   // bodies
   input  wire [ADDRESS-13:0] base_a,         // address of A's image / 4096
   input  wire [23:0]        nodes_a,         // nodes of A
@@ -88,6 +91,16 @@ module sepax_tree_engine #(
   output wire [22:0]        first_leaf_b,    // first collision: B's leaf
   output wire [3:0]         first_row_a,     // first collision: number a in A's leaf
   output wire [3:0]         first_row_b,     // first collision: number b in B's leaf
+  // bursts of the host
+  input  wire               host_valid,      // a burst is wanted
+  output wire               host_ready,      // it is taken in this cycle
+  input  wire [ADDRESS-5:0] host_address,    // place of its first beat, in units of 16 bytes
+  input  wire [3:0]         host_beats,      // its beats less 1; it does not cross 4 KB
+  output wire               host_fill,       // a beat of the host has come
+  output wire [127:0]       host_data,       // the beat
+  output wire [3:0]         host_beat,       // its number in the burst
+  output wire               host_last,       // the last beat of its burst
+  output wire               host_error,      // it came with an error
   // AXI4, 128 bits, read only: ARSIZE 4, ARBURST INCR, one ID
   output wire               arvalid,         // an address
   input  wire               arready,         // it is taken in this cycle
@@ -133,9 +146,9 @@ module sepax_tree_engine #(
   wire [4:0]           steps_counted;
 
   sepax_tree_walk #(.STACK(STACK), .LINE(LINE), .SLOT(SLOT)) walk (
-    .clk(clk), .start(start), .clear(clear), .over(walk_over), .damaged(walk_damaged),
-    .error(walk_error), .nodes_a(nodes_a), .triangles_a(triangles_a), .beats_a(beats_a),
-    .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b), .row(row),
+    .clk(clk), .start(start), .probe(probe), .clear(clear), .over(walk_over),
+    .damaged(walk_damaged), .error(walk_error), .nodes_a(nodes_a), .triangles_a(triangles_a),
+    .beats_a(beats_a), .nodes_b(nodes_b), .triangles_b(triangles_b), .beats_b(beats_b), .row(row),
     .row_leaf_a(row_leaf_a), .row_leaf_b(row_leaf_b), .row_a(row_a), .row_b(row_b),
     .node_in_valid(node_in_valid), .node_in_ready(node_in_ready), .node_in(node_in),
     .node_out_valid(node_out_valid), .node_out_ready(node_out_ready), .node_out(node_out),
@@ -271,7 +284,9 @@ module sepax_tree_engine #(
 
   assign pair_valid = near_valid && launch_free;
 
-  sepax_tree_pairs #(.W(W), .MARGIN(MARGIN), .SLOT(LEAF_SLOT), .ROWS(6), .INFO(INFO)) near_pairs (
+  sepax_tree_pairs #(
+    .W(W), .MARGIN(MARGIN), .SLOT(LEAF_SLOT), .ROWS(ROWS), .INFO(INFO)
+  ) near_pairs (
     .clk(clk), .clear(clear), .damaged(pairs_damaged), .error(pairs_error), .busy(pairs_busy),
     .row_valid(row_valid), .row_ready(row_ready), .row_last(row_last), .row_child(row_child),
     .row_mask(row_mask), .leaf_out_valid(leaf_out_valid), .leaf_out_ready(leaf_out_ready),
@@ -290,10 +305,11 @@ module sepax_tree_engine #(
     .pair_counted(pair_counted)
   );
   sepax_tree_run #(.FLIGHT(FLIGHT)) run (
-    .clk(clk), .rst(rst), .start(start), .stop(stop), .first(first), .quiet(quiet),
-    .budget(budget), .idle(idle), .drop(drop), .done(done), .hit(hit), .walk_over(walk_over),
-    .walk_damaged(walk_damaged), .walk_error(walk_error), .pairs_busy(pairs_busy),
-    .pairs_damaged(pairs_damaged), .pairs_error(pairs_error), .memory_idle(memory_idle),
+    .clk(clk), .rst(rst), .start(start), .clear_counts(clear_counts), .stop(stop),
+    .first(first), .quiet(quiet), .budget(budget), .idle(idle), .drop(drop), .done(done),
+    .hit(hit), .walk_over(walk_over), .walk_damaged(walk_damaged), .walk_error(walk_error),
+    .pairs_busy(pairs_busy), .pairs_damaged(pairs_damaged), .pairs_error(pairs_error),
+    .memory_idle(memory_idle),
     .entry_counted(entry_counted), .steps_counted(steps_counted), .row_counted(row_counted),
     .pair_counted(pair_counted), .launched(pair_valid && pair_ready),
     .launch_free(launch_free), .launched_info(launched_info), .in_flight(in_flight),
@@ -311,7 +327,7 @@ module sepax_tree_engine #(
   // ------------------------------------------------------------------- memory
   sepax_tree_memory #(
     .W(W), .ADDRESS(ADDRESS), .NODE_INFO(64), .LEAF_INFO(INFO), .NODE_SETS(NODE_SETS),
-    .LEAF_SETS(LEAF_SETS), .NODE_WINDOW(LINE), .LEAF_WINDOW(3), .OPEN(4)
+    .LEAF_SETS(LEAF_SETS), .NODE_WINDOW(LINE), .LEAF_WINDOW(LEAF_SLOT), .OPEN(5)
   ) memory (
     .clk(clk), .rst(rst), .start(start), .cold(cold), .drop(drop), .idle(memory_idle),
     .base_a(base_a), .base_b(base_b), .node_in_valid(node_in_valid),
@@ -337,7 +353,10 @@ module sepax_tree_engine #(
     .triangle_slot_a(triangle_slot_a), .triangle_a(triangle_a),
     .triangle_read_b(triangle_read_b), .triangle_slot_b(triangle_slot_b),
     .triangle_b(triangle_b), .corners_read_b(corners_read_b), .corners_slot_b(corners_slot_b),
-    .corners_b(corners_b), .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen),
+    .corners_b(corners_b), .host_valid(host_valid), .host_ready(host_ready),
+    .host_address(host_address), .host_beats(host_beats), .host_fill(host_fill),
+    .host_data(host_data), .host_beat(host_beat), .host_last(host_last),
+    .host_error(host_error), .arvalid(arvalid), .arready(arready), .araddr(araddr), .arlen(arlen),
     .rvalid(rvalid), .rready(rready), .rdata(rdata), .rresp(rresp), .rlast(rlast)
   );
 endmodule

@@ -55,6 +55,10 @@ module sepax_tree_rows #(
   output wire [INFO-1:0]  info             // the bits that went in with the pair
 );
   localparam FLIGHT = 14; // bits that go with a vertex: {same, place, last, first}
+  // Pairs of leaves of which the info waits: each of at most 8 rows that wait may be of another
+  // pair, one pair has no row yet, and four rows are on their way to the pair test. There are no
+  // more of them than leaves of a body.
+  localparam INFOS = SLOT < 4 ? SLOT : 4;
   reg                 leaf_q;               // there is a pair of leaves
   reg                 fresh_q;              // none of its rows was taken
   reg  [SLOT-1:0]     slot_a_q, slot_b_q;
@@ -69,7 +73,8 @@ module sepax_tree_rows #(
   reg  [3:0]          used_q;               // places of the ring in use
   reg  [3:0]          waiting_q;            // rows that came in and did not go out
   reg  [3:0]          here_q;               // rows that are in the ring and did not go out
-  reg  [2:0]          turned_q, box_q, vertices_q, info_in_q, info_q; // the next places
+  reg  [2:0]          turned_q, box_q, vertices_q; // the next places
+  reg  [INFOS-1:0]    info_in_q, info_q;    // the next places
   wire                done;
   wire                real_row = |in_mask;
   wire [2:0]          pick = new_q & (~new_q + 3'd1);
@@ -149,7 +154,7 @@ module sepax_tree_rows #(
       assign fresh[k] = !(|same[3*k +: 3]);
     end
   endgenerate
-  sepax_ram #(.WIDTH(INFO), .ADDRESS(3)) infos (
+  sepax_ram #(.WIDTH(INFO), .ADDRESS(INFOS)) infos (
     .clk(clk), .write(leaf_out_valid && leaf_out_ready), .write_address(info_in_q),
     .write_data(leaf_out_info), .read(info_read), .read_address(info_q), .read_data(info)
   );
@@ -160,7 +165,8 @@ module sepax_tree_rows #(
       read_q <= 1'b0; //@ fpga
       new_q <= 3'd0;
       {used_q, waiting_q, here_q} <= 12'd0;
-      {turned_q, box_q, vertices_q, info_in_q, info_q} <= 15'd0;
+      {turned_q, box_q, vertices_q} <= 9'd0;
+      {info_in_q, info_q} <= {(2*INFOS){1'b0}};
     end else begin
       leaf_q <= leaf_out_ready ? leaf_out_valid && !leaf_out_error : leaf_q; //@ !fpga
       leaf_q <= leaf_q ? !(take && in_last) : !error && leaf_out_valid && !leaf_out_error; //@ fpga
@@ -180,8 +186,8 @@ module sepax_tree_rows #(
       turned_q <= turned_q + {2'd0, done};
       box_q <= box_q + {2'd0, box_read};
       vertices_q <= vertices_q + {2'd0, vertices_read};
-      info_in_q <= info_in_q + {2'd0, leaf_out_valid && leaf_out_ready};
-      info_q <= info_q + {2'd0, info_read};
+      info_in_q <= info_in_q + {{(INFOS-1){1'b0}}, leaf_out_valid && leaf_out_ready};
+      info_q <= info_q + {{(INFOS-1){1'b0}}, info_read};
     end
     if (leaf_out_ready) begin
       slot_a_q <= leaf_out_a;

@@ -7,6 +7,7 @@ module sepax_tree_run #(
   input  wire         clk,             // clock
   input  wire         rst,             // synchronous reset, active high
   input  wire         start,           // a run begins
+  input  wire         clear_counts,    // set the counters to 0; not while a run counts
   input  wire         stop,            // end the run
   input  wire         first,           // end the run at its first collision
   input  wire         quiet,           // send no results
@@ -81,6 +82,7 @@ module sepax_tree_run #(
   reg          busy_q;     // a run is in progress
   reg          ending_q;   // the run ends: it waits for pending work
   reg  [1:0]   dropped_q;  // after two cycles the dropped work is gone
+  reg          nothing_q;  // the run ended by itself, without a fault: no work is dropped
   reg          entry_q, row_q, pair_q; // counts of the cycle before
   reg  [4:0]   steps_q;
   reg  [FLIGHT:0] known_q; // pairs whose verdicts have not come
@@ -113,11 +115,11 @@ module sepax_tree_run #(
   //@ end
   wire         fault = pairs_damaged || pairs_error;
   wire         finish = running && drained && (walk_over || fault);
+  wire         gone = nothing_q || (!drop && (&dropped_q));
   //@ if fpga
-  wire         leave = ending_q && !drop && (&dropped_q) && memory_idle && !in_flight && !full_q &&
-                       free;
+  wire         leave = ending_q && gone && memory_idle && !in_flight && !full_q && free;
   //@ else
-  wire         leave = ending_q && !drop && (&dropped_q) && memory_idle && !in_flight && free;
+  wire         leave = ending_q && gone && memory_idle && !in_flight && free;
   //@ end
 
   assign idle = !busy_q;
@@ -170,6 +172,9 @@ module sepax_tree_run #(
     due_q <= start ? budget == 32'd1 : cycles == before_q;
     //@ end
     dropped_q <= {dropped_q[0], ending_q && !drop};
+    if (!ending_q) begin
+      nothing_q <= !halt && !fault && !walk_damaged && !walk_error;
+    end
     {entry_q, row_q, pair_q, steps_q} <= {entry_counted, row_counted, pair_counted, steps_counted};
     if (free) begin
       result_a <= a;
@@ -181,15 +186,15 @@ module sepax_tree_run #(
       {result_coplanar, result_outside, result_warning} <= {coplanar && !outside, outside, warned};
       //@ end
     end
-    if (!any) begin // what was taken last //@ fpga
+    if (full_q && !any) begin // what was taken last //@ fpga
     if (hit) begin //@ !fpga
       first_a <= a;
       first_b <= b;
       {first_leaf_b, first_leaf_a, first_row_b, first_row_a} <= {leaf_b, leaf_a, row_b, row_a};
     end
-    if (start) begin
+    cycles <= start ? 32'd1 : cycles + {31'd0, busy_q && !(&cycles)};
+    if (clear_counts) begin
       {entries, steps, rows, pairs, near, collisions, out_of_range, warnings} <= 256'd0;
-      cycles <= 32'd1;
     end else begin
       entries <= entries + {31'd0, entry_q};
       steps <= steps + {27'd0, steps_q};
@@ -206,7 +211,6 @@ module sepax_tree_run #(
       out_of_range <= out_of_range + {31'd0, found && outside};
       warnings <= warnings + {31'd0, warned};
       //@ end
-      cycles <= cycles + {31'd0, busy_q && !(&cycles)};
     end
   end
 endmodule

@@ -12,6 +12,7 @@ module sepax_tree_walk #(
 ) (
   input  wire         clk,            // clock
   input  wire         start,          // a run begins
+  input  wire         probe,          // with start: the bodies may be others than before
   input  wire         clear,          // drop all work: reset, or the end of a run
   output wire         over,           // the walk has ended, by itself or by a fault
   output reg          damaged,        // a node is damaged, or the stack is full
@@ -100,11 +101,20 @@ module sepax_tree_walk #(
   reg  [2:0]      state_q;
   reg  [LINE:0]   line_q;      // number of entries in the line
   reg  [LOAD-1:0] load_q;
+  reg  [8:0]      height_q;    // 15 HEIGHT of the bodies
+  reg  [3:0]      children_q;  // children of B's root less 1
+  reg             roots_q;     // both are known: a probe of these bodies has ended
+  wire            probes = probe || !roots_q; // with start: the roots are read first
   reg             filling_q;   // an entry was finished: entries may be popped
   reg             current_q;   // there is an entry whose items are served
   reg             opened_q;    // the leaves of this entry were asked for
   reg             wanted_q;    // this request has not been taken
   wire            walking = (state_q == WALK);
+
+  wire [15:0]  first_mask = half(~(16'hfffe << children_q)); // of the root of B //@ !fpga
+  //@ if fpga
+  wire [15:0]  first_mask = ~(16'hfffe << children_q) & {16{!children_q[3]}}; // of the root of B
+  //@ end
 
   // ------------------------------------------------------------- stack, line
   wire         push, pop, empty, full;
@@ -126,9 +136,12 @@ module sepax_tree_walk #(
     .clk(clk), .clear(clear || start), .push(push), .in(pushed), .pop(pop), .top(top),
     .empty(empty), .full(full)
   );
-  // First the probe, which reads both roots; then the popped entries.
-  sepax_ram_fifo #(.WIDTH(64), .ADDRESS(LINE)) line (
-    .clk(clk), .clear(clear), .push(start || pop), .in(start ? 64'd0 : top),
+  // First the probe, which reads both roots; then the popped entries. Without probe and first row,
+  // the root's entry is the first one, and is not pushed on the stack.
+  wire            direct_root = start && !probes && !row;
+  sepax_ram_fifo #(.WIDTH(64), .QUICK(1), .ADDRESS(LINE)) line (
+    .clk(clk), .clear(clear), .push(direct_root || (start && probes) || pop),
+    .in(!start ? top : {2'd0, first_mask & {16{!probes}}, 46'd0}),
     .valid(node_in_valid), .pop(node_in_valid && node_in_ready), .out(node_in)
   );
 
@@ -211,9 +224,7 @@ module sepax_tree_walk #(
   wire [4:0]   low_b = {1'b0, first_b[3:0]} + {1'b0, out_index};
   wire [22:0]  next_a = {low_a[4] ? after_a : first_a[22:4], low_a[3:0]};
   wire [22:0]  next_b = {low_b[4] ? after_b : first_b[22:4], low_b[3:0]};
-  wire [15:0]  first_mask = half(~(16'hfffe << head_b[3:0])); // of the root of B //@ !fpga
   //@ if fpga
-  wire [15:0]  first_mask = ~(16'hfffe << head_b[3:0]) & {16{!head_b[3]}}; // of the root of B
   reg          release_q;
   reg  [15:0]  boxes_q;   // boxes that are turned
   reg          own_box_q; // the box is an own box
@@ -260,7 +271,7 @@ module sepax_tree_walk #(
       state_q <= IDLE;
     end else begin
       case (state_q)
-        IDLE: state_q <= start ? PROBE : IDLE;
+        IDLE: state_q <= !start ? IDLE : probes ? PROBE : row ? ROOT : WALK;
         PROBE: state_q <= faulty ? OVER : finish ? ROOT : PROBE;
         ROOT: state_q <= row ? FIRST : WALK;
         FIRST: state_q <= no_nodes ? OVER : WALK;
@@ -281,7 +292,9 @@ module sepax_tree_walk #(
       {known_q, can_pop_q, release_q, probe_q, first_q, items_q} <= 6'd0; //@ fpga
       {finish_q, push_q} <= 2'd0; //@ fpga
     end else begin
-      if (walking) begin
+      if (state_q == IDLE) begin
+        line_q <= {{LINE{1'b0}}, direct_root};
+      end else if (walking) begin
         //@ if fpga
         line_q <= finish_q ? line_q - {{LINE{1'b0}}, 1'b1} : line_q + {{LINE{1'b0}}, pop};
         //@ else
@@ -314,8 +327,17 @@ module sepax_tree_walk #(
       error <= faulty && is_error;
     end
     if (state_q == PROBE) begin
-      load_q <= {{(LOAD-9){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}, 4'd0} -
-                {{(LOAD-5){1'b0}}, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}};
+      height_q <= {{1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}, 4'd0} -
+                  {4'd0, {1'b0, head_a[7:4]} + {1'b0, head_b[7:4]}};
+      children_q <= head_b[3:0];
+    end
+    if (start && probe) begin
+      roots_q <= 1'b0;
+    end else if (finish && (state_q == PROBE)) begin
+      roots_q <= 1'b1;
+    end
+    if ((state_q == IDLE) || (state_q == PROBE)) begin
+      load_q <= {{(LOAD-9){1'b0}}, height_q} + {{(LOAD-5){1'b0}}, direct_root, 4'd0};
     //@ if fpga
     end else if (finish_q) begin // of the cycle before; never with pop
       load_q <= load_q + {{(LOAD-4){1'b1}}, 3'd0, push_q};

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PAGE = 4096, BURST_MAX = 16, OPEN = 16 };
+enum { PAGE = 4096, BURST_MAX = 16, OPEN = 32 };
 
 uint64_t memory_draw(uint64_t *state) {
   uint64_t z = *state += 0x9e3779b97f4a7c15;
@@ -45,6 +45,17 @@ void memory_reset(memory *m) {
   m->slave.rvalid = false;
 }
 
+/* Each answer that AXI has for a read that went wrong, and RLAST at a wrong beat. */
+static void spoil(memory *m) {
+  uint64_t how = memory_draw(&m->state) % 4;
+  m->is_bad = true;
+  if (how == 0) {
+    m->slave.rlast = !m->slave.rlast;
+  } else {
+    m->slave.rresp = (unsigned)how; /* EXOKAY, SLVERR, DECERR */
+  }
+}
+
 static void answer(memory *m) {
   const memory_options *o = &m->options;
   memory_slave *s = &m->slave;
@@ -52,17 +63,19 @@ static void answer(memory *m) {
   s->rvalid = true;
   s->rlast = m->beat + 1 == m->open[m->head].beats;
   s->rresp = 0;
+  m->is_bad = false;
   uint64_t offset = address - o->base;
   if (address < o->base || (offset + MEMORY_BEAT > o->size && !o->repeated)) {
     s->rresp = 3;
+    m->is_bad = true;
   } else if ((address >= o->error_from && address < o->error_to) ||
              (o->error_odds > 0 && memory_draw(&m->state) % o->error_odds == 0)) {
-    s->rresp = 2;
+    spoil(m);
   }
   for (int k = 0; k < 4; k++) { /* what comes with an error is not to be used */
     s->rdata[k] = (uint32_t)memory_draw(&m->state);
   }
-  if (s->rresp == 0) {
+  if (!m->is_bad) {
     const uint8_t *from = o->bytes + (o->repeated ? offset & (o->size - 1) : offset);
     for (int k = 0; k < 4; k++) {
       s->rdata[k] = (uint32_t)from[4 * k] | (uint32_t)from[4 * k + 1] << 8 |
@@ -119,10 +132,10 @@ void memory_clock(memory *m, const memory_master *master) {
   m->before = *master;
   if (m->slave.rvalid && master->rready) {
     m->counts.beats++;
-    m->counts.errors += m->slave.rresp != 0;
+    m->counts.errors += m->is_bad;
     m->slave.rvalid = false;
     m->beat++;
-    if (m->slave.rlast) {
+    if (m->beat == m->open[m->head].beats) {
       m->beat = 0;
       m->head = (m->head + 1) % MEMORY_OPEN_MAX;
       m->counts.open--;

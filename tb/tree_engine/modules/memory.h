@@ -20,10 +20,10 @@ typedef struct {
   uint64_t base, size;  /* address of bytes[0], a multiple of 16; how many bytes */
   bool repeated;        /* above base they come again and again; size is a power of two */
   int latency;          /* cycles from an address to its first beat, 1 or more */
-  int open_max;         /* bursts that the master may have open; 0: 16 */
+  int open_max;         /* bursts that the master may have open; 0: 32 */
   uint64_t stress;      /* 0: none; else a seed: addresses wait, up to 64 cycles in which none is
                          * taken, beats come late and with gaps */
-  /* Beats in [error_from, error_to) are answered with SLVERR. */
+  /* Beats in [error_from, error_to) come with EXOKAY, SLVERR, DECERR or a wrong RLAST. */
   uint64_t error_from, error_to;
   uint64_t error_odds; /* and one beat in so many, at random; 0: none */
   uint32_t *bursts;    /* a number a beat of `bytes`: bursts that began there; NULL: not counted */
@@ -56,6 +56,7 @@ typedef struct {
   memory_slave slave;
   memory_master before; /* of the cycle before */
   bool was_blocked;     /* its address was not taken */
+  bool is_bad;          /* the beat that is answered comes with an error */
   uint64_t cycle, state, rate;
   struct {
     uint64_t address, due; /* the cycle from which on it may be answered */

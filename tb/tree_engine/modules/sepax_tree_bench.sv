@@ -3,10 +3,11 @@
 // plants in the modules read `fault`.
 module sepax_tree_bench #(
   parameter W = 18, parameter MARGIN = 0, parameter STACK = 10,
-  parameter LINE = 5, parameter FLIGHT = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 1
+  parameter LINE = 5, parameter FLIGHT = 5, parameter NODE_SETS = 4, parameter LEAF_SETS = 2,
+  parameter ROWS = 7
 ) (
   input wire [31:0] fault,
-  input wire clk, rst, start, stop, cold, first, quiet, row,
+  input wire clk, rst, start, stop, cold, probe, first, quiet, row,
   input wire [31:0] budget, triangles_a, beats_a, triangles_b, beats_b, nodes_a, nodes_b,
   input wire [31:0] base_a, base_b, row_leaf_a, row_leaf_b, row_a, row_b,
   input wire [197:0] matrix_m, matrix_k,
@@ -28,6 +29,12 @@ module sepax_tree_bench #(
   input wire [1:0] rresp
 );
   wire in_flight, verdict_valid, verdict_ready;
+  wire clear_counts = start, host_valid = 1'b0; // and no bursts of a host
+  wire [35:0] host_address = 36'd0;
+  wire [3:0] host_beats = 4'd0;
+  wire host_ready, host_fill, host_last, host_error;
+  wire [127:0] host_data;
+  wire [3:0] host_beat;
   wire collision, coplanar, warning, verdict_outside;
 
   assign memory_idle = engine.memory_idle;
@@ -40,7 +47,7 @@ module sepax_tree_bench #(
 
   sepax_tree_engine #(
     .W(W), .MARGIN(MARGIN), .STACK(STACK), .LINE(LINE), .FLIGHT(FLIGHT),
-    .NODE_SETS(NODE_SETS), .LEAF_SETS(LEAF_SETS)
+    .NODE_SETS(NODE_SETS), .LEAF_SETS(LEAF_SETS), .ROWS(ROWS)
   ) engine (
     .base_a(base_a[27:0]), .base_b(base_b[27:0]), .nodes_a(nodes_a[23:0]),
     .nodes_b(nodes_b[23:0]), .triangles_b(triangles_b[24:0]), .row_leaf_a(row_leaf_a[22:0]),

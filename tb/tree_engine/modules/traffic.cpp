@@ -30,6 +30,7 @@ public:
   }
 
   void run(unsigned rounds) {
+    host_reads = true;
     for (unsigned n = 0; n < rounds && wrong < 20; n++) {
       new_world(n, false);
       reset();
@@ -42,11 +43,13 @@ public:
       most = std::max(most, slave.counts.open_most);
       errors += slave.counts.errors;
     }
+    host_reads = false;
   }
 
   void speed();
   void come_round();
 
+  uint64_t host_bursts = 0;
   uint64_t node_pairs = 0, leaf_pairs = 0, reads = 0, bursts = 0, errors = 0, drops = 0, resets = 0,
            stops = 0, wrong = 0, cycles = 0;
   int most = 0; // bursts that were open
@@ -60,6 +63,7 @@ private:
     top->node_release = top->leaf_release = top->node_read_a = top->node_read_b = 0;
     top->head_read_a = top->head_read_b = 0;
     top->triangle_read_a = top->triangle_read_b = top->corners_read_b = 0;
+    top->host_valid = 0;
   }
 
   void fault(const char *what, uint64_t got, uint64_t wanted) {
@@ -90,6 +94,7 @@ private:
     tick();
     tick();
     memory_reset(&slave);
+    hosts.clear();
     top->rst = 0;
     top.settle();
     if (top->arvalid) {
@@ -157,7 +162,7 @@ private:
         fault("a pair after the drop", 1, 0);
       }
     }
-    if (!top->idle || slave.counts.open != 0) {
+    if (!top->idle || slave.counts.open > (int)hosts.size()) {
       fault("idle with open bursts", (uint64_t)slave.counts.open, 0);
     }
   }
@@ -188,13 +193,58 @@ private:
            std::find(k.read_of, k.read_of + 4, 0) == k.read_of + 4 && now_and_then();
   }
 
-  // The head of a node of body i, bytes 0 ... 31, or the others.
+  // A burst of the host, anywhere in the memory; it does not cross 4 KB.
+  void offer_host() {
+    if (host_reads && top->host_valid == 0 && draw(16) == 0) {
+      next_host.beats = 1 + (unsigned)draw(16);
+      next_host.place = draw(SIZE / MEMORY_BEAT) / 256 * 256 + draw(257 - next_host.beats);
+      next_host.beat = 0;
+      top->host_valid = 1;
+      top->host_address = world.base / MEMORY_BEAT + next_host.place;
+      top->host_beats = (uint8_t)(next_host.beats - 1);
+    }
+  }
+
+  // The beats of the host's bursts come in order, as they are.
+  void check_host() {
+    if (top->host_fill == 0) {
+      return;
+    }
+    if (hosts.empty()) {
+      fault("a beat for the host", 1, 0);
+      return;
+    }
+    HostBurst &h = hosts.front();
+    uint64_t address = world.base + MEMORY_BEAT * (h.place + h.beat);
+    const uint8_t *from = world.bytes.data() + MEMORY_BEAT * (h.place + h.beat) % SIZE;
+    bool bad = address >= slave.options.error_from && address < slave.options.error_to;
+    for (unsigned n = 0; n < MEMORY_BEAT && !bad; n++) {
+      if (bits_of(top->host_data, 8 * n, 8) != from[n]) {
+        fault("a byte for the host", bits_of(top->host_data, 8 * n, 8), from[n]);
+        break;
+      }
+    }
+    if (top->host_beat != h.beat || (top->host_last != 0) != (h.beat + 1 == h.beats) ||
+        (top->host_error != 0) != bad) {
+      fault("number, last or error of the host's beat", top->host_beat, h.beat);
+    }
+    if (++h.beat == h.beats) {
+      hosts.pop_front();
+      host_bursts++;
+    }
+  }
+
+  // The head of a node of body i, bytes 0 ... 31, or the others. Of the head only the bits that the
+  // engine reads are kept: W of each coordinate, and not the CRC.
   void check_nodes(const Pair &p, int i, bool head) {
     const uint8_t *from = world.at(i, p.number[i] * (uint64_t)NODE_BYTES);
     for (unsigned n = head ? 0 : HEAD_BYTES; n < (head ? HEAD_BYTES : NODE_BYTES); n += 4) {
       uint64_t got = i == 0 ? bits_of(top->node_a, 8 * n, 32) : bits_of(top->node_b, 8 * n, 32);
       uint64_t wanted =
           from[n] | from[n + 1] << 8 | from[n + 2] << 16 | (uint64_t)from[n + 3] << 24;
+      const uint64_t kept[] = {
+          (1 << W) - 1, (1 << W) - 1, (1 << W) - 1, 0xffffff, 0xffffffff, 0xffffffff, 0, 0xffffff};
+      wanted &= head ? kept[n / 4] : 0xffffffff;
       if (got != wanted) {
         fault("bytes of a node", got, wanted);
         return;
@@ -277,7 +327,15 @@ private:
   void tick();
   uint64_t stream(bool of_leaves, unsigned count, const std::function<unsigned(unsigned, int)> &);
 
+  struct HostBurst {
+    uint64_t place; // in the memory, in beats
+    unsigned beats, beat;
+  };
   VerilatedTop<Vsepax_tree_memory> top;
+  HostBurst next_host{};
+  std::deque<HostBurst> hosts; // that were taken, oldest first
+  bool host_taken = false;
+  bool host_reads = false; // the host has bursts
   World world;
   memory slave;
   Kind nodes{false}, leaves{true};
@@ -286,6 +344,7 @@ private:
 };
 
 void Traffic::drive() {
+  offer_host();
   for (Kind *k : {&nodes, &leaves}) {
     offer(*k);
     choose_reads(*k);
@@ -335,13 +394,24 @@ void Traffic::tick() {
     top->rdata[k] = s->rdata[k];
   }
   top.settle();
+  if (top->host_valid && top->host_ready && !top->rst) {
+    hosts.push_back(next_host);
+    host_taken = true;
+  }
   memory_master m = {top->arvalid != 0, top->rready != 0, top->araddr, top->arlen};
   if (!top->rst) {
     memory_clock(&slave, &m);
   }
   top.rise();
+  if (host_taken) {
+    top->host_valid = 0;
+    host_taken = false;
+  }
   top.settle();
   cycles++;
+  if (!top->rst) {
+    check_host();
+  }
 }
 
 bool Traffic::step() {
@@ -489,9 +559,10 @@ int main(int argc, char **argv) {
   Traffic t(std::strtoull(argv[2], nullptr, 10), argc, argv);
   t.run((unsigned)std::strtoul(argv[1], nullptr, 10));
   std::cout << t.node_pairs << " pairs of nodes, " << t.leaf_pairs << " of leaves, " << t.reads
-            << " reads, " << t.bursts << " bursts, up to " << t.most << " open, " << t.errors
-            << " bad beats, " << t.stops << " runs ended by an error, " << t.drops << " dropped, "
-            << t.resets << " resets, " << t.cycles << " cycles, " << t.wrong << " wrong\n";
+            << " reads, " << t.bursts << " bursts, " << t.host_bursts << " of the host, up to "
+            << t.most << " open, " << t.errors << " bad beats, " << t.stops
+            << " runs ended by an error, " << t.drops << " dropped, " << t.resets << " resets, "
+            << t.cycles << " cycles, " << t.wrong << " wrong\n";
   if (t.wrong == 0) {
     t.come_round();
     t.speed();

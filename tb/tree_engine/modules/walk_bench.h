@@ -17,7 +17,7 @@ const uint64_t BASE = 0x8912345000; // of the memory
 
 // What a run is asked to do, besides pose and bodies.
 struct Ask {
-  bool first = false, quiet = false, cold = true, row = false;
+  bool first = false, quiet = false, cold = true, row = false, probe = true;
   uint32_t budget = UINT32_MAX;
   uint64_t stop = UINT64_MAX;
   sepax_tree_pair pair{};
@@ -202,6 +202,7 @@ private:
     top->first = ask.first;
     top->quiet = ask.quiet;
     top->cold = ask.cold;
+    top->probe = ask.cold || ask.probe;
     top->budget = ask.budget;
     top->row = ask.row;
     top->row_leaf_a = ask.pair.leaf[0];

@@ -304,6 +304,7 @@ Ask draw_ask(const Scene &scene, bool is_new, const sepax_tree_pair *last) {
   ask.first = below(4) == 0;
   ask.quiet = below(8) == 0;
   ask.cold = is_new || (!options.rows && below(2) == 0);
+  ask.probe = is_new || below(2) == 0;
   ask.row = below(options.rows ? 2 : 3) == 0;
   bool any = options.any || below(2) == 0;
   ask.pair = last != nullptr && below(2) == 0 ? *last : damage.any_row(scene, any);

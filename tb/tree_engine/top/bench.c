@@ -106,7 +106,6 @@ void bench_attach(memory_options options) {
   options.bytes = external.byte;
   options.base = bench_base;
   options.size = external.used;
-  options.open_max = 17; /* the engine's, and the next pose */
   if (!external.is_reserved) {
     external.bursts = realloc(external.bursts, external.used / MEMORY_BEAT * sizeof(uint32_t));
     stop_on(external.bursts == NULL, "out of memory");

@@ -201,7 +201,7 @@ static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
   sepax_tree_job job = *last;
   job.count = (uint32_t)range(1, poses_most);
   job.modes = some_modes(n > 0);
-  job.budget = range(0, 5) == 0 ? (uint32_t)range(1, 3000) : 0;
+  job.budget = range(0, 5) == 0 ? (uint32_t)range(1, range(0, 1) != 0 ? 200 : 3000) : 0;
   for (int i = 0; i < 2; i++) {
     job.leaf[i] = some_leaf(s->tree[i], s->shift[i]);
     job.child[i] = 0;
