@@ -88,7 +88,7 @@ module sepax_results (
     end else begin
       busy <= start || (busy && !done);
       ending_q <= (finish && !quiet) || (ending_q && !free);
-      stopped <= !start && (stopped || (busy && !ending_q && halt));
+      stopped <= !start && (stopped || (busy && !ending_q && !finish && halt));
       any <= !start && (any || found);
       valid_q <= ready ? valid : !free; //@ fpga
       if (free) begin
