@@ -44,7 +44,7 @@ static uint64_t memory_bits(const sepax_config *config) {
   while (UINT64_C(4) << sets < leaves) {
     sets++;
   }
-  return 207480 + 1368 * word + leaves * (288 * word + 478 + 4 * sets) + 8 * sets +
+  return 207688 + 1368 * word + leaves * (288 * word + 478 + 4 * sets) + 8 * sets +
          102 * (leaves < 16 ? leaves : 16) + 21 * (uint64_t)config->rows;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 `default_nettype none
 module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
-    input wire clk, start, probe, clear, row, node_in_ready, node_out_valid, node_out_error, in_ready,
-    input wire out_valid, out_last, out_columns, out_leaves, leaf_in_ready, row_ready,
+    input wire clk, start, probe, clear, row, node_in_ready, node_out_valid, node_out_error,
+    input wire in_ready, out_valid, out_last, out_columns, out_leaves, leaf_in_ready, row_ready,
     input wire [3:0] level_a, level_b, out_index,
     input wire [15:0] out_mask,
     input wire [63:0] node_out
@@ -10,8 +10,8 @@ module walk_properties #(parameter STACK = `STACK, parameter LINE = `LINE) (
   localparam [15:0] PLACES = 1 << STACK;
   sepax_tree_walk #(.STACK(STACK), .LINE(LINE), .SLOT(2)) dut (
       .clk(clk), .start(start), .probe(probe), .clear(clear), .nodes_a(24'd0),
-      .triangles_a(32'd0), .beats_a(32'd0), .nodes_b(24'd0), .triangles_b(25'd0), .beats_b(32'd0), .row(row),
-      .row_leaf_a(23'd0), .row_leaf_b(23'd0), .row_a(4'd0), .row_b(4'd0),
+      .triangles_a(32'd0), .beats_a(32'd0), .nodes_b(24'd0), .triangles_b(25'd0), .beats_b(32'd0),
+      .row(row), .row_leaf_a(23'd0), .row_leaf_b(23'd0), .row_a(4'd0), .row_b(4'd0),
       .node_in_ready(node_in_ready), .node_out_valid(node_out_valid), .node_out(node_out),
       .node_out_a(2'd0), .node_out_b(2'd0), .node_out_error(node_out_error),
       .head_a({68'd0, level_a, 4'd0}), .head_b({68'd0, level_b, 4'd0}), .in_ready(in_ready),

@@ -93,6 +93,18 @@ const memory_slave *memory_drive(memory *m) {
   return &m->slave;
 }
 
+/* The cycle in which the first beat of a burst comes from its bank. */
+static uint64_t come_from_bank(memory *m, uint64_t address) {
+  enum { ROW_BYTES = 2048, HIT = 60, MISS = 110, HIT_BUSY = 4, MISS_BUSY = 50 };
+  uint64_t row = address / ROW_BYTES;
+  uint64_t n = row % MEMORY_BANKS;
+  bool is_open = m->bank[n].row == row + 1;
+  uint64_t begin = m->bank[n].free > m->cycle ? m->bank[n].free : m->cycle;
+  m->bank[n].row = row + 1;
+  m->bank[n].free = begin + (is_open ? HIT_BUSY : MISS_BUSY);
+  return begin + (is_open ? HIT : MISS);
+}
+
 static void take_address(memory *m, const memory_master *master) {
   const memory_options *o = &m->options;
   unsigned beats = master->arlen + 1;
@@ -111,7 +123,8 @@ static void take_address(memory *m, const memory_master *master) {
   uint64_t late = o->stress == 0 || goes_on(m) ? 0 : memory_draw(&m->state) % 64;
   m->open[m->tail].address = master->araddr;
   m->open[m->tail].beats = beats;
-  m->open[m->tail].due = m->cycle + (uint64_t)o->latency + late;
+  m->open[m->tail].due =
+      late + (o->banked ? come_from_bank(m, master->araddr) : m->cycle + (uint64_t)o->latency);
   m->tail = (m->tail + 1) % MEMORY_OPEN_MAX;
   m->counts.bursts++;
   if (o->bursts != NULL && master->araddr >= o->base && master->araddr - o->base < o->size) {

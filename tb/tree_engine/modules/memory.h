@@ -13,16 +13,20 @@
 extern "C" {
 #endif
 
-enum { MEMORY_BEAT = 16, MEMORY_OPEN_MAX = 64 };
+enum { MEMORY_BEAT = 16, MEMORY_OPEN_MAX = 64, MEMORY_BANKS = 16 };
 
 typedef struct {
   const uint8_t *bytes; /* contents; a read beside them is answered with DECERR */
   uint64_t base, size;  /* address of bytes[0], a multiple of 16; how many bytes */
   bool repeated;        /* above base they come again and again; size is a power of two */
   int latency;          /* cycles from an address to its first beat, 1 or more */
-  int open_max;         /* bursts that the master may have open; 0: 32 */
-  uint64_t stress;      /* 0: none; else a seed: addresses wait, up to 64 cycles in which none is
-                         * taken, beats come late and with gaps */
+  bool banked;     /* as a DRAM: 16 banks with an open row of 2 KB each. A burst in the open row
+                    * comes after 60 cycles and keeps its bank busy for 4; another one comes
+                    * after 110 and keeps it busy for 50. Answers stay in order; `latency` is
+                    * not used */
+  int open_max;    /* bursts that the master may have open; 0: 32 */
+  uint64_t stress; /* 0: none; else a seed: addresses wait, up to 64 cycles in which none is
+                    * taken, beats come late and with gaps */
   /* Beats in [error_from, error_to) come with EXOKAY, SLVERR, DECERR or a wrong RLAST. */
   uint64_t error_from, error_to;
   uint64_t error_odds; /* and one beat in so many, at random; 0: none */
@@ -64,6 +68,9 @@ typedef struct {
   } open[MEMORY_OPEN_MAX]; /* a ring */
   unsigned head, tail;
   unsigned beat; /* of the burst that is answered */
+  struct {
+    uint64_t row, free; /* the open row + 1, or 0; the cycle from which on the bank is free */
+  } bank[MEMORY_BANKS];
 } memory;
 
 /* Begin, with nothing open. The options may be changed later, between runs. */

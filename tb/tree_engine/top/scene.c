@@ -101,32 +101,53 @@ static void batch_of(bench_batch *batch, size_t poses) {
   }
 }
 
+/* What the batches of a scene add up to. */
+typedef struct {
+  uint64_t mismatches;
+  double slowest; /* the most cycles of a pose, on average of a batch */
+} scene_sum;
+
+/* Run a batch of so many poses with memories of each kind. */
+static void with_memories(const bench_batch *batch, size_t poses, scene_sum *sum) {
+  static const struct {
+    const char *name;
+    memory_options options;
+  } memories[] = {{"20", {.latency = 20}},
+                  {"100", {.latency = 100}},
+                  {"300", {.latency = 300}},
+                  {"banks", {.latency = 1, .banked = true}}};
+  printf("%8s %14s %16s %10s %10s %10s %10s\n", "latency", "poses/second", "cycles/pose",
+         "worst pair", "collide", "near pairs", "mismatches");
+  for (size_t k = 0; k < sizeof memories / sizeof *memories; k++) {
+    bench_batch one = *batch;
+    bench_attach(memories[k].options);
+    uint64_t begin = bus_cycles();
+    bench_run(&one);
+    double cycles = (double)(bus_cycles() - begin) / (double)poses;
+    sum->slowest = cycles > sum->slowest ? cycles : sum->slowest;
+    printf("%8s %14.0f %16.0f %10llu %10llu %10llu %10llu\n", memories[k].name, 5e8 / cycles,
+           cycles, (unsigned long long)one.worst, (unsigned long long)one.hits,
+           (unsigned long long)one.near, (unsigned long long)one.mismatches);
+    fflush(stdout);
+    expect("runs", one.poses, (unsigned long long)poses * batch->jobs);
+    sum->mismatches += one.mismatches;
+  }
+}
+
 void bench_scene(size_t poses) {
-  static const int latency[] = {20, 100, 300};
   bench_batch batch = {.stop_at = -1};
-  uint64_t mismatches = 0;
-  double slowest = 0;
+  scene_sum sum = {0};
   stop_on(poses > 1000000, "--scene is 1 ... 1000000 poses");
   bench_clear();
   batch_of(&batch, poses);
   printf("%d pairs of bodies, %zu poses, first collision of each; 500 MHz\n", STAND * MOVE, poses);
-  printf("%8s %14s %16s %10s %10s %10s %10s\n", "latency", "poses/second", "cycles/pose",
-         "worst pair", "collide", "near pairs", "mismatches");
-  for (size_t k = 0; k < sizeof latency / sizeof *latency; k++) {
-    bench_batch one = batch;
-    bench_attach((memory_options){.latency = latency[k]});
-    uint64_t begin = bus_cycles();
-    bench_run(&one);
-    double cycles = (double)(bus_cycles() - begin) / (double)poses;
-    slowest = cycles > slowest ? cycles : slowest;
-    printf("%8d %14.0f %16.0f %10llu %10llu %10llu %10llu\n", latency[k], 5e8 / cycles, cycles,
-           (unsigned long long)one.worst, (unsigned long long)one.hits,
-           (unsigned long long)one.near, (unsigned long long)one.mismatches);
-    fflush(stdout);
-    expect("runs", one.poses, (unsigned long long)poses * batch.jobs);
-    mismatches += one.mismatches;
-  }
-  printf(
-      "%zu poses of %d pairs of bodies at 3 latencies, %llu mismatches, worst mean %.0f cycles\n",
-      poses, STAND * MOVE, (unsigned long long)mismatches, slowest);
+  with_memories(&batch, poses, &sum);
+  /* The pair with the most work in its trees is the last one. */
+  bench_batch last = batch;
+  last.list += SEPAX_TREE_JOB_BYTES * (size_t)(batch.jobs - 1);
+  last.jobs = 1;
+  printf("%s and %s alone\n", parts[BODIES - 1].name, parts[STAND - 1].name);
+  with_memories(&last, poses, &sum);
+  printf("%zu poses of %d pairs of bodies in 4 memories, %llu mismatches, worst mean %.0f cycles\n",
+         poses, STAND * MOVE, (unsigned long long)sum.mismatches, sum.slowest);
 }
