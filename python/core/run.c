@@ -45,7 +45,10 @@ static void answer_chunk(void *context, size_t part) {
 }
 
 static bool run_chunks(running *r, size_t chunks) {
-  const size_t threads = r->batch->threads != 0 ? r->batch->threads : sepax__threads_here();
+  size_t threads = r->batch->threads;
+  if (threads == 0) { /* to count the processors takes longer than a question */
+    threads = chunks == 1 ? 1 : sepax__threads_here();
+  }
   while (r->from < chunks && r->failed == SIZE_MAX) {
     Py_BEGIN_ALLOW_THREADS;
     r->deadline = seconds_now() + SECONDS_BETWEEN_SIGNALS;
