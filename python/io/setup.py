@@ -20,11 +20,12 @@ class Build(build_core.BuildExt):
 
     def run(self):
         super().run()
-        build = os.environ.get("SEPAX_BUILD") or os.path.join(ROOT, "build")
+        # Relative, as make is called elsewhere: it knows by these names what an object is made of.
+        build = os.path.relpath(os.environ.get("SEPAX_BUILD") or os.path.join(ROOT, "build"), ROOT)
         subprocess.run(["make", "-s", "-C", ROOT, f"BUILD={build}", f"{build}/sepax"], check=True)
         folder = os.path.join(self.build_lib, "sepax_io", "bin")
         os.makedirs(folder, exist_ok=True)
-        shutil.copy(os.path.join(build, "sepax"), folder)
+        shutil.copy(os.path.join(ROOT, build, "sepax"), folder)
 
 
 build_core.BuildExt = Build
