@@ -4,10 +4,11 @@
  *   replay MACHINE.urdf SRDF AXES CLEARANCE ACCELERATION VELOCITY samples TUBE SAMPLES.csv
  *   replay MACHINE.urdf SRDF AXES CLEARANCE ACCELERATION VELOCITY random SEED PERIODS
  * SRDF: or - for none. AXES: the letters of the control's joints; the URDF's have the same names in
- * lower case. Lengths in mm, angles in degrees. TUBE: a file of sepax path --tube, or - for none.
- * SAMPLES.csv: columns joint0, joint1, ... in each servo period of 1 ms, as tb/nc/simulator writes
- * them. All is done three times, and of each period the least time counts: what else the machine
- * does is not the guard's. Prints name and value in each line; exit status 2 on failure. */
+ * lower case. ACCELERATION: of all joints, or LINEAR,ANGULAR. Lengths in mm, angles in degrees.
+ * TUBE: a file of sepax path --tube, or - for none. SAMPLES.csv: columns joint0, joint1, ... in
+ * each servo period of 1 ms, as tb/nc/simulator writes them; in the slow zone they are done slower.
+ * All is done three times, and of each period the least time counts: what else the machine does is
+ * not the guard's. Prints name and value in each line; exit status 2 on failure. */
 #include "../../examples/linuxcnc/guard.h"
 
 #include <ctype.h>
@@ -166,19 +167,36 @@ static bool sample(FILE *in, size_t joints, double *position) {
   return true;
 }
 
+/* Adaptive feed: the motion of the samples at the rate that the guard asks for. The rate changes by
+ * a fiftieth in a period, which at 50 mm/s is an acceleration of 1,000 mm/s^2. */
+static double follow(double rate, double scale) {
+  const double most = 0.02;
+  const double target = scale > 0 ? scale : 1; /* a stop is not followed: it is a failure here */
+  return rate + fmax(-most, fmin(most, target - rate));
+}
+
 static void replay(guard *g, guard_input *in, size_t joints, FILE *file, tally *t) {
   char head[2048];
-  double position[GUARD_JOINTS_MOST];
-  guard_output out = {.feed_inhibit = false};
-  if (fgets(head, sizeof head, file) == NULL) {
+  double before[GUARD_JOINTS_MOST] = {0};
+  double after[GUARD_JOINTS_MOST] = {0};
+  guard_output out = {.feed_scale = 1};
+  if (fgets(head, sizeof head, file) == NULL || !sample(file, joints, after)) {
     fail("no samples", "");
   }
+  double rate = 1;
+  double part = 0;
   bool first = true;
-  while (sample(file, joints, position)) {
+  memcpy(before, after, sizeof before);
+  for (bool more = true; more; rate = follow(rate, out.feed_scale)) {
     double square = 0;
+    for (part += first ? 0 : rate; part >= 1 && more; part -= 1) {
+      memcpy(before, after, sizeof before);
+      more = sample(file, joints, after);
+    }
     for (size_t n = 0; n < joints; n++) {
-      in->velocity[n] = first ? 0 : (position[n] - in->position[n]) / PERIOD;
-      in->position[n] = position[n];
+      const double position = before[n] + (after[n] - before[n]) * part;
+      in->velocity[n] = first ? 0 : (position - in->position[n]) / PERIOD;
+      in->position[n] = position;
       square += n < 3 ? in->velocity[n] * in->velocity[n] : 0;
     }
     in->speed = sqrt(square);
@@ -305,8 +323,11 @@ static void run(char **argument, const guard_settings *s, tally *t) {
     fail(text, "");
   }
   guard_input in = {.period = PERIOD, .coordinated = true, .homed = true};
+  char *angular = NULL;
+  const double acceleration = strtod(argument[5], &angular);
   for (size_t n = 0; n < s->joints; n++) {
-    in.acceleration[n] = strtod(argument[5], NULL);
+    const bool turns = strchr("ABC", s->axis[n]) != NULL && *angular == ',';
+    in.acceleration[n] = turns ? strtod(angular + 1, NULL) : acceleration;
     in.fastest[n] = strtod(argument[6], NULL);
   }
   *t = (tally){.time = t->time, .room = t->room};
