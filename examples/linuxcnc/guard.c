@@ -200,43 +200,59 @@ static void latch(guard *g, guard_reason reason) {
   g->latched = true;
 }
 
+/* Zones and the display: how near are the bodies at the commanded position? Once in MEASURED
+ * periods, because it takes longer than the verdict and no proof needs it. */
+static bool measure(guard *g, guard_machine *m, const guard_input *in, guard_output *out) {
+  const guard_settings *s = &g->settings;
+  const double leave = s->clearance + 1.1 * s->slow_zone;
+  sepax_machine_answer answer;
+  /* The zone is one of distance, not of speed: otherwise slowing would leave it. */
+  for (size_t n = 0; n < s->joints; n++) {
+    m->value[m->joint[n]] = in->position[n] * m->scale[n];
+  }
+  if (!ask(m, s, s->clearance, NULL, true, &answer)) {
+    return false;
+  }
+  report(m, s, &answer, out);
+  g->slow = answer.least < (g->slow ? leave : s->clearance + s->slow_zone);
+  g->measured = *out;
+  return true;
+}
+
 /* The machine may move: is it still proved that it stops in time? */
 static void run(guard *g, guard_machine *m, const guard_input *in, guard_output *out) {
+  enum { MEASURED = 8 };
   const guard_settings *s = &g->settings;
   sepax_machine_answer answer;
   if (in_tube(g, in, out)) {
     out->least = g->tube->free_of / s->unit;
     out->most = INFINITY;
     g->slow = false;
+    g->since = 0;
     return;
   }
   cover(m, g, in);
-  if (!ask(m, s, s->clearance, m->travel, true, &answer)) {
+  if (!ask(m, s, s->clearance, m->travel, false, &answer)) {
     latch(g, GUARD_QUERY);
     return;
   }
-  report(m, s, &answer, out);
   if (answer.verdict != SEPAX_APART) {
+    report(m, s, &answer, out);
     latch(g, g->left                        ? GUARD_LEFT_TUBE
              : answer.verdict == SEPAX_NEAR ? GUARD_IS_NEAR
                                             : GUARD_MAY_BE_NEAR);
     return;
   }
-  const double leave = s->clearance + 1.1 * s->slow_zone;
-  if (answer.least >= leave) {
-    g->slow = false;
+  out->work += answer.work;
+  if (g->since++ % MEASURED == 0) {
+    if (!measure(g, m, in, out)) {
+      latch(g, GUARD_QUERY);
+    }
     return;
   }
-  /* The zone is one of distance, not of speed: otherwise slowing would leave it. */
-  for (size_t n = 0; n < s->joints; n++) {
-    m->value[m->joint[n]] = in->position[n] * m->scale[n];
-  }
-  if (!ask(m, s, s->clearance, NULL, true, &answer)) {
-    latch(g, GUARD_QUERY);
-    return;
-  }
-  report(m, s, &answer, out);
-  g->slow = answer.least < (g->slow ? leave : s->clearance + s->slow_zone);
+  out->least = g->measured.least;
+  out->most = g->measured.most;
+  memcpy(out->nearest, g->measured.nearest, sizeof out->nearest);
 }
 
 /* The joint of the control that is fastest, as a number of the mechanism. */
@@ -288,6 +304,7 @@ static void hold(guard *g, guard_machine *m, const guard_input *in, bool reset, 
   report(m, s, &answer, out);
   if (reset && rest && (tubed || answer.verdict == SEPAX_APART)) {
     g->latched = false;
+    g->since = 0;
     g->reason = GUARD_NO_REASON;
     out->jog_stop = false;
     return;

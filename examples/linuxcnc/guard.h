@@ -80,8 +80,9 @@ typedef struct {
   double feed_scale;
   bool feed_inhibit, jog_stop;
   size_t nearest[2];  /* numbers of links; SEPAX_NO_PAIR if none was measured */
-  double least, most; /* the least distance of any pair lies between them; the control's units. With
-                         state GUARD_FREE it is the one over the whole box of guard_reach */
+  double least, most; /* the least distance of any pair lies between them; the control's units. At
+                         the commanded position of one of the last 8 periods; of a stopped machine
+                         the one over the whole box of guard_reach */
   bool in_tube; /* the program is in its tube: no body was compared, and least is its clearance */
   uint64_t work;
 } guard_output;

@@ -28,6 +28,8 @@ struct guard {
   bool reset_was;
   double kept; /* while latched: jogs keep the bodies farther apart than this, in metres */
   double last[GUARD_JOINTS_MOST], before[GUARD_JOINTS_MOST]; /* position, velocity */
+  size_t since;          /* periods since the guard last began to compare bodies */
+  guard_output measured; /* last: distances and their pair */
   guard_reason reason;
   const tube *tube;
   tube_place place; /* in it */

@@ -282,7 +282,7 @@ static guard_settings settings_of(char **argument) {
   guard_settings s = {.joints = strlen(argument[3]),
                       .unit = 0.001,
                       .clearance = strtod(argument[4], NULL) * 0.001,
-                      .slow_zone = 0.05,
+                      .slow_zone = 0.1,
                       .slow_scale = 0.2,
                       .reaction = 10,
                       .brake = 0.2,
