@@ -49,8 +49,8 @@ static void move_to_margin(sepax_pair *pair, const sepax_design *d, sepax_random
   int64_t highest = INT32_MIN;
   int64_t lowest = INT32_MAX;
   for (int i = 0; i < 3; i++) {
-    const int64_t of_a = *component(&pair->a.v[i], axis);
-    const int64_t of_b = *component(&pair->b.v[i], axis);
+    const int32_t of_a = *component(&pair->a.v[i], axis);
+    const int32_t of_b = *component(&pair->b.v[i], axis);
     highest = of_a > highest ? of_a : highest;
     lowest = of_b < lowest ? of_b : lowest;
   }

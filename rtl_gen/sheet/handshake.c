@@ -71,11 +71,8 @@ static void draw_stream(int transfers, wave *w) {
   add_labels(&w->lane[8], LIST("tag"));
   cycle(w, "p01xx00xx");
   for (int i = 0; i < transfers; i++) {
-    const bool last = i + 1 == transfers;
-    cycle(w, i == 0 && last ? ".1.==...."
-             : i == 0       ? ".1.=....."
-             : last         ? "...==...."
-                            : "...=.....");
+    static const char *const row[2][2] = {{"...=.....", "...==...."}, {".1.=.....", ".1.==...."}};
+    cycle(w, row[i == 0 ? 1 : 0][i + 1 == transfers ? 1 : 0]);
   }
   cycle(w, ".0.xx....");
   gap(w);

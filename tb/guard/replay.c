@@ -299,9 +299,9 @@ static guard_settings settings_of(char **argument) {
 }
 
 static const tube *tube_of(const guard *g, size_t joints, const char *path) {
-  char text[TUBE_TEXT] = "";
   tube *t = NULL;
   if (strcmp(path, "-") != 0) {
+    char text[TUBE_TEXT] = "";
     t = calloc(1, tube_size(joints, ROWS));
     if (t == NULL) {
       fail("out of memory", "");
