@@ -11,8 +11,9 @@ enum { BENCH_VECTORS = 256, BENCH_VECTORS_MOST = 100000 };
 /* Append the test bench sepax_tb of the emitter's design, whose latency is known, with so many
  * pairs, 1 ... BENCH_VECTORS_MOST. It tests sepax_top, or sepax_stream if the design has it; of an
  * engine the core in it. The pairs are seeded and the same for the same design: hard pairs of all
- * families; within and beyond the extents; pairs near a clearance. Cost: some microseconds a pair.
- * An error is the emitter's. */
+ * families; within and beyond the extents; pairs near a clearance; pairs of unit size.
+ * Cost: some microseconds a pair, but up to some milliseconds of one of unit size. An error is the
+ * emitter's. */
 void bench_write(emitter *e, int vectors, emit_text *out);
 
 /* Append the test bench sepax_engine_tb of an object engine: two small objects, and the results of

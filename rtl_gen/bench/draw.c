@@ -2,6 +2,9 @@
 /* draw.c - see draw.h. */
 #include "bench/draw.h"
 
+/* Pairs of unit size cost more to find; by then each orient3d has had two as 1 and two as -1. */
+enum { UNIT_BELOW = 512 };
+
 static int64_t clamp(int64_t value, int word) {
   const int64_t least = sepax_word_min(word);
   const int64_t most = sepax_word_max(word);
@@ -80,7 +83,9 @@ sepax_pair bench_draw(const sepax_design *d, int n, sepax_random *random) {
   sepax_pair pair = c->extent_a > 0 ? sepax_extent_pair(family, c->word, extent, n % 4 == 3, random)
                                     : sepax_family_triangles(family, c->word, random);
   const int kind = n % 8;
-  if (kind == 2 || (kind == 6 && d->limits == 0)) {
+  if (kind == 4 && n < UNIT_BELOW && c->arch == SEPAX_ARCH_EXACT && d->limits == 0) {
+    bench_draw_unit(d, n / 8, &pair, random);
+  } else if (kind == 2 || (kind == 6 && d->limits == 0)) {
     flatten(&pair, n / 8 % 5);
   } else if (kind == 1) {
     move_to_margin(&pair, d, random);
