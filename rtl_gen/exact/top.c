@@ -49,10 +49,16 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"registered_ready", engine_registers_ready(c)},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about",
-                p->limits > 0 ? "not proved to be outside the clearance"
-                              : "the triangles share a point");
+                p->limits > 0                ? "not proved to be outside the clearance"
+                : c->flag && c->extent_a > 0 ? "a point is shared, or coplanar, or out of range"
+                : c->flag                    ? "a point is shared, or coplanar: undecided"
+                : c->extent_a > 0            ? "a point is shared, or out of range"
+                                             : "the triangles share a point");
   emit_hole_set(h, "axis_about", p->limits > 0 ? "proves the band" : "separates");
-  emit_hole_set(h, "axis_12", p->limits > 0 ? "normal to an edge" : "in the common plane");
+  emit_hole_set(h, "axis_12",
+                p->limits > 0 ? "normal to an edge"
+                : c->flag     ? "never"
+                              : "in the common plane");
 }
 
 /* The II windows that a pair passes. */

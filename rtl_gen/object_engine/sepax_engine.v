@@ -63,9 +63,9 @@ module sepax_engine (
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
   input  wire         m_axis_tready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TDATA" *)
-  output wire [63:0]  m_axis_tdata,  // sepax_results.v
+  output wire [63:0]  m_axis_tdata,  // 31:0 A, 55:32 B, 56 coplanar, 57 out of range, 58 warning
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TLAST" *)
-  output wire         m_axis_tlast,  // end of the run
+  output wire         m_axis_tlast,  // end of the run: 31:0 results, 62 stopped, 63 1
   (* X_INTERFACE_INFO = "xilinx.com:signal:interrupt:1.0 irq INTERRUPT" *)
   (* X_INTERFACE_PARAMETER = "SENSITIVITY LEVEL_HIGH" *)
   output wire         irq            // interrupt, level: PENDING and ENABLE

@@ -27,8 +27,8 @@ module sepax_engine_logic (
   input  wire        s_axis_tdest,  // 0: object A, 1: object B
   output wire        m_axis_tvalid, // AXI4-Stream, results: a colliding pair, or the end
   input  wire        m_axis_tready, // taken in this cycle
-  output wire [63:0] m_axis_tdata,  // sepax_results.v
-  output wire        m_axis_tlast,  // end of the run
+  output wire [63:0] m_axis_tdata,  // 31:0 A, 55:32 B, 56 coplanar, 57 out of range, 58 warning
+  output wire        m_axis_tlast,  // end of the run: 31:0 results, 62 stopped, 63 1
   output wire        irq,           // interrupt, level: PENDING and ENABLE
   output wire [@index@-1:0]    write_address,   // number of a triangle to write
   output wire [9*@word@+1:0] write_triangle,  // {thinnest side, coordinates} //@ swaps

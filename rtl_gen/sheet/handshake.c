@@ -103,8 +103,9 @@ static void draw_published(wave *w) {
   cycle(w, "......0=");
 }
 
-/* AXI4-Lite: a write of 1. */
-static void draw_engine(unsigned start, wave *w) {
+/* AXI4-Lite: a write of 1. Address and data are held until the answer is made, in the cycle behind
+ * them, or three cycles later on an FPGA (sepax_registers.v); no other is taken meanwhile. */
+static void draw_engine(unsigned start, bool fpga, wave *w) {
   snprintf(w->text, sizeof w->text, "0x%02x", start);
   add_lanes(w, LIST("aclk", "s_axi_awvalid", "s_axi_awready", "s_axi_awaddr", "s_axi_wvalid",
                     "s_axi_wready", "s_axi_wdata", "s_axi_bvalid", "s_axi_bready", "irq"));
@@ -112,8 +113,11 @@ static void draw_engine(unsigned start, wave *w) {
   wave_label(&w->lane[6], "1");
   cycle(w, "p01x01x010");
   cycle(w, ".1.=1.=...");
-  cycle(w, ".0.x0.x...");
-  cycle(w, ".......1..");
+  cycle(w, ".00x00x...");
+  for (int i = 0; i < 3 && fpga; i++) {
+    cycle(w, "..........");
+  }
+  cycle(w, "..1..1.1..");
   cycle(w, ".......0..");
   gap(w);
   cycle(w, ".........1");
@@ -130,7 +134,7 @@ void handshake_wave(const sepax_design *design, unsigned start, wave *w) {
     draw_stream(sepax_stream_transfers(c), w);
     w->title = "A pair and its verdict V";
   } else if (c->lanes > 0 || c->tree) {
-    draw_engine(start, w);
+    draw_engine(start, c->target != SEPAX_TARGET_ASIC, w);
     w->title = c->tree ? "A write starts a batch, an interrupt ends it"
                        : "A write starts a run, an interrupt ends it";
   } else {

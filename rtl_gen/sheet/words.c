@@ -64,9 +64,11 @@ void words_exactness(const sepax_design *d, page *p) {
               "has the proof.",
               c->warning > 0 ? c->warning : c->clearance);
   } else {
-    page_text(p, "The verdict is the mathematical one for every input: there is no rounding and no "
-                 "tolerance. Triangles that touch collide. Triangles without area are allowed. "
-                 "`docs/reference/exact.md` of sepax has the proof.");
+    page_text(p,
+              "The verdict is the mathematical one for every %s: there is no rounding and no "
+              "tolerance. Triangles that touch collide. Triangles without area are allowed. "
+              "`docs/reference/exact.md` of sepax has the proof.",
+              c->flag || c->extent_a > 0 ? "pair that is decided" : "input");
   }
   if (c->flag) {
     page_text(p, "Pairs in one plane are not decided: they are called collisions and flagged as "
@@ -98,8 +100,26 @@ static void put_data(const sepax_design *d, page *p) {
   page_table_end(p);
 }
 
+/* As sepax_results.v sends them. */
+static void put_results(page *p) {
+  page_section(p, "Results");
+  page_table(p, "bits of `m_axis_tdata`\ta pair\tthe end, with TLAST");
+  page_row(p, "31:0\tnumber of the triangle in A\tresults before it");
+  page_row(p, "55:32\tnumber of the triangle in B\t0");
+  page_row(p, "56\tcoplanar: all six vertices are in one plane\t0");
+  page_row(p, "57\tout of range: not decided, called a collision\t0");
+  page_row(p, "58\twarning: no collision, but nearer than the warning\t0");
+  page_row(p, "62\t0\tthe run was stopped");
+  page_row(p, "63\t0\t1");
+  page_row(p, "others\t0\t0");
+  page_table_end(p);
+}
+
 void words_verdict(const sepax_design *d, page *p) {
   const bool stream = d->config.stream != SEPAX_STREAM_NONE;
+  if (d->config.lanes > 0) {
+    put_results(p);
+  }
   if (!is_exact(d) || words_has_engine(d)) {
     return;
   }
@@ -113,8 +133,11 @@ void words_verdict(const sepax_design *d, page *p) {
            "1 + 3 i + j\tthe product of edge i of A and edge j of B separates, i and j from 0 on");
   page_row(p, "10\tthe normal of A separates");
   page_row(p, "11\tthe normal of B separates");
-  page_row(p, d->limits > 0 ? "12\tan axis normal to an edge separates"
-                            : "12\tan axis in the common plane separates");
+  if (d->limits > 0) {
+    page_row(p, "12\tan axis normal to an edge separates");
+  } else if (!d->config.flag) {
+    page_row(p, "12\tan axis in the common plane separates");
+  }
   if (d->aabb_test || d->limits > 0) {
     page_row(p, "13\tthe bounding boxes are disjoint");
   }

@@ -5,6 +5,8 @@ NAME.json, its latency, the registers of NAME_registers.md, the estimate of `sep
 HTML and Markdown have the same tables; the waveform is well formed.
 
 usage: datasheet.py DIR NAME ESTIMATE.json
+       datasheet.py DIR NAME write FILE    of an engine: awready, wready and bvalid after a write, a
+                                           line of FILE for each cycle, are those of the waveform
 """
 import json
 import re
@@ -88,9 +90,28 @@ def check_costs(rows, estimate):
         check(f"energy, {pairs}", f"{of['nj']:.3f} nJ", found)
 
 
+def levels(lane, cycles):
+    """0 or 1 in each of the first cycles; after a gap nothing changes."""
+    shown = lane.replace("|", ".").ljust(cycles, ".")[:cycles]
+    for i in range(1, cycles):
+        shown = shown[:i] + (shown[i - 1] if shown[i] == "." else shown[i]) + shown[i + 1:]
+    return shown
+
+
+def check_write(doc, name, found):
+    wave = json.loads((doc / f"{name}_handshake.json").read_text())
+    lanes = {lane["name"]: lane["wave"] for lane in wave["signal"] if lane}
+    for k, signal in enumerate(("awready", "wready", "bvalid")):
+        check(signal, "".join(line[k] for line in found), levels(lanes[f"s_axi_{signal}"],
+                                                                 len(found)))
+
+
 def main():
     folder, name = Path(sys.argv[1]), sys.argv[2]
     doc = folder / "doc"
+    if sys.argv[3] == "write":
+        check_write(doc, name, Path(sys.argv[4]).read_text().split())
+        return
     design = json.loads((folder / f"{name}.json").read_text())
     rows = markdown_rows((doc / f"{name}.md").read_text())
     ports = [row for row in rows if len(row) == 4 and row[1] in ("in", "out")]
