@@ -186,7 +186,7 @@ def recover(samples):
 def reset():
     for value in ("1", "0"):
         halcmd("setp", "sepax-guard.reset", value)
-        time.sleep(0.02)
+        time.sleep(0.1)  # a loaded machine misses shorter pulses
 
 
 def place(samples, x, y, z):
