@@ -317,7 +317,8 @@ static bool parse_period(int *picoseconds, const char *option, const char *text,
   plain_numbers plain = plain_numbers_begin();
   double number = strtod(text, &end);
   plain_numbers_end(plain);
-  if (end == text || *end != '\0' || !(number > 0) || number > 1000) {
+  bool decimal = text[strspn(text, "0123456789.eE+-")] == '\0';
+  if (end == text || *end != '\0' || !decimal || !(number > 0) || number > 1000) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "%s: '%.40s' is no period in nanoseconds; give 0.5 ... 1000", option, text);
   }

@@ -4,6 +4,7 @@
 
 #include "report/json.h"
 
+#include <math.h>
 #include <stdio.h>
 
 enum { WIDTH = 12 };
@@ -77,8 +78,8 @@ json_t *estimate_json(const sepax_design *design, const sepax_estimate *e) {
   if (e->gates_known) {
     json_object_set_new(all, "ge", json_real(e->gates));
     json_object_set_new(all, "ge_error", json_real(e->gates_error));
-    json_object_set_new(all, "flip_flops", json_real(e->flip_flops));
-    json_object_set_new(all, "flip_flops_error", json_real(e->flip_flops_error));
+    json_object_set_new(all, "flip_flops", json_integer(llrint(e->flip_flops)));
+    json_object_set_new(all, "flip_flops_error", json_integer(llrint(e->flip_flops_error)));
     set_energies(all, e);
     set_terms(all, e);
   }

@@ -20,6 +20,7 @@ typedef struct {
   const char *folder, *prefix; /* the caller's, as long as this is used */
   folder_file *file;
   int count, space;
+  char *former; /* the list of modules of the design that was in the folder */
 } folder_files;
 
 /* Begin with space for `most` files. Without memory nothing can be added, and folder_write fails.
@@ -35,8 +36,9 @@ emit_text *folder_add(folder_files *o, const char *base, const char *ending);
 void folder_rename(folder_files *o);
 
 /* Make the folder, with those that it is in, and write the files, each aside and then renamed.
- * Files of a former design go: those that begin as generated ones do and are named PREFIX_... or
- * PREFIX. ... but are not among these. Fails if memory was missing for a text and if a file cannot
+ * Files of a former design go that are not among these: those that its PREFIX.f lists and those
+ * with a name that the generator gives, if they begin as generated ones do. All others stay, copies
+ * and designs with other prefixes, too. Fails if memory was missing for a text and if a file cannot
  * be written: then no folder was made, and no file changed unless the renaming itself failed. */
 bool folder_write(folder_files *o, sepax_error *error);
 

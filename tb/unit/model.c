@@ -55,6 +55,7 @@ CASE(test_refused) {
       {"--arch=exact --ii=19", "1 ... 18"},
       {"--arch=exact --clock-ns=0.4", "0.5 ... 1000"},
       {"--arch=exact --clock-ns=1.2345", "three decimals"},
+      {"--arch=exact --clock-ns=0x10", "no period"},
       {"--clearance=131072", "0 ... 131071"},
       {"--clearance=-2", "out of range"},
       {"--clearance=5 --warning=131072", "at most 131071"},
