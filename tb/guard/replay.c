@@ -347,7 +347,7 @@ static void run(char **argument, const guard_settings *s, tally *t) {
 }
 
 int main(int count, char **argument) {
-  tally t = {.room = 4000000};
+  tally t = {.room = 8000000};
   if (count != 10) {
     fail("give what the head of replay.c says", "");
   }
