@@ -34,6 +34,18 @@ int exact_control_count(const exact_plan *p) {
   return narrow + 2 * tag + 1 + (1 << tag) * (2 + result);
 }
 
+/* What the verdict 1 means, by whether pairs are left open: coplanar ones, and those out of range.
+ */
+static const char *collision_about(const sepax_config *c, bool limits) {
+  static const char *const about[2][2] = {
+      {"the triangles share a point", "a point is shared, or out of range"},
+      {"a point is shared, or coplanar: undecided",
+       "a point is shared, or coplanar, or out of range"}};
+  const bool extents = c->extent_a > 0;
+  return limits ? "not proved to be outside the clearance"
+                : about[c->flag ? 1 : 0][extents ? 1 : 0];
+}
+
 /* What sepax_narrow and sepax_top ask for: the pair and its verdict. */
 static void set_words(emit_holes *h, const exact_plan *p) {
   const sepax_design *design = p->design;
@@ -48,12 +60,7 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"passes", !p->single},
                                        {"registered_ready", engine_registers_ready(c)},
                                        {NULL, 0}});
-  emit_hole_set(h, "collision_about",
-                p->limits > 0                ? "not proved to be outside the clearance"
-                : c->flag && c->extent_a > 0 ? "a point is shared, or coplanar, or out of range"
-                : c->flag                    ? "a point is shared, or coplanar: undecided"
-                : c->extent_a > 0            ? "a point is shared, or out of range"
-                                             : "the triangles share a point");
+  emit_hole_set(h, "collision_about", "%s", collision_about(c, p->limits > 0));
   emit_hole_set(h, "axis_about", p->limits > 0 ? "proves the band" : "separates");
   emit_hole_set(h, "axis_12",
                 p->limits > 0 ? "normal to an edge"
