@@ -22,10 +22,12 @@
 enum { TUBE_JOINTS_MOST = 9, TUBE_NAME = 64, TUBE_TEXT = 640, TUBE_ROWS_MOST = 10000000 };
 enum { TUBE_MAGIC = 0x53585431, TUBE_KEY = 0x53585442 /* of the shared memory */ };
 
-/* Of each joint of a row: values[n] of enum. */
-enum { TUBE_END, TUBE_OFF, TUBE_LOW, TUBE_HIGH, TUBE_VALUES };
-/* Before them. */
+/* A row is an array of numbers. It begins with the tool in the spindle (-1: any) and with whether
+ * the path begins anew in it. From TUBE_FIRST on, each joint has TUBE_VALUES numbers: its value at
+ * the end of the motion, how far it may be off, and the least and greatest value between the places
+ * where it turns back before and after. */
 enum { TUBE_TOOL, TUBE_BEGINS, TUBE_FIRST };
+enum { TUBE_END, TUBE_OFF, TUBE_LOW, TUBE_HIGH, TUBE_VALUES };
 
 /* For the memory that is shared: no pointers. The guard fills in the first part and never changes
  * it; the rest is written by tube_read while `serial` is odd. */
@@ -38,8 +40,7 @@ typedef struct {
   _Atomic uint64_t serial;
   uint64_t rows;  /* 0: there is no tube */
   double free_of; /* clearance of the tube, metres */
-  double value[]; /* tube_stride doubles a row: tool (-1: any), begins, then of each joint
-                     TUBE_VALUES. Control's units */
+  double value[]; /* tube_stride numbers for each row, in the control's units */
 } tube;
 
 /* Where the guard is in the tube. */
@@ -49,7 +50,7 @@ typedef struct {
   bool inside;
 } tube_place;
 
-size_t tube_stride(size_t joints);
+size_t tube_stride(size_t joints);              /* numbers of a row */
 size_t tube_size(size_t joints, uint64_t rows); /* bytes */
 
 /* Real time: are the joints inside? At most 200 rows are compared. Control's units; tool: in the
