@@ -255,7 +255,8 @@ experiment-calibrate: $(SEPAX) $(BUILD)/liberty
 	@$(EXPERIMENT)/calibrate $(OVER) $(if $(CLOCKS),-c "$(CLOCKS)") \
 	  $(if $(RANDOM),-r $(RANDOM) -n $(SEED)) $(BUILD)/calibrate
 
-experiment-estimate: $(SEPAX) $(BUILD)/liberty $(BUILD)/power $(SAMPLES)
+experiment-estimate: $(SEPAX) $(BUILD)/liberty $(BUILD)/power \
+  $(addprefix $(BUILD)/mesh/,cutter.stl workpiece.stl)
 	@$(EXPERIMENT)/estimate map $(or $(RANDOM),40) $(if $(call given,SEED),$(SEED),2) \
 	  $(BUILD)/estimate
 	@$(EXPERIMENT)/estimate check -o $(BUILD)/estimate/estimate.json $(BUILD)/estimate
