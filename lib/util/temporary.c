@@ -68,6 +68,7 @@ static void remove_and_end(int number) {
 }
 
 void sepax__temporary_remove_on_signals(void) {
+  signal(SIGXFSZ, SIG_IGN); /* a file beyond `ulimit -f` is an error of its write, which is told */
   for (int i = 0; i < ENDS; i++) {
     struct sigaction was;
     struct sigaction action = {.sa_handler = remove_and_end};

@@ -16,7 +16,8 @@ FILE *sepax__temporary_create(const char *path, int *ticket);
 void sepax__temporary_drop(int ticket);
 
 /* From now on SIGINT, SIGTERM and SIGHUP remove the files and then end the program as they do
- * by default; a signal that is ignored stays ignored. For programs, not for the library. */
+ * by default; a signal that is ignored stays ignored. A write beyond the limit of a file's size
+ * fails (EFBIG) instead of ending the program. For programs, not for the library. */
 void sepax__temporary_remove_on_signals(void);
 
 #endif
