@@ -7,7 +7,7 @@ import os
 import cocotb
 
 import golden
-from engine import Engine
+from sepax.cocotb import ObjectEngine
 
 FOLDER = os.environ["SEPAX_RTL"]
 with open(f"{FOLDER}/sepax.json") as file:
@@ -23,7 +23,7 @@ test = cocotb.test(timeout_time=120, timeout_unit="us")
 
 async def ready(dut, stall=None):
     """The engine behind a reset; with a seed all valid and ready come at random."""
-    engine = Engine(dut, f"{FOLDER}/sepax_registers.h")
+    engine = ObjectEngine(dut, f"{FOLDER}/sepax_registers.h")
     await engine.reset()
     if stall is not None:
         engine.stall(stall)

@@ -6,6 +6,8 @@ import os
 from collections import namedtuple
 from ctypes import POINTER, Structure, byref, c_bool, c_char, c_int, c_int32, c_size_t, c_uint64
 
+from sepax.cocotb import Found
+
 folder = os.environ.get("LIBSEPAX", "build")
 ctypes.CDLL(f"{folder}/libsepax.so.0", mode=ctypes.RTLD_GLOBAL)
 library = ctypes.CDLL(f"{folder}/libsepax-model.so.0")  # finds what libsepax has, too
@@ -58,7 +60,6 @@ for name in "sepax_config_parse sepax_design_init sepax_object_engine".split():
     library[name].restype = c_bool
 
 Run = namedtuple("Run", "pairs candidates collisions out_of_range found")
-Found = namedtuple("Found", "a b coplanar out_of_range")
 
 
 def triangle(coordinates):

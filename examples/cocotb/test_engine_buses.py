@@ -4,11 +4,9 @@ objects that are not whole."""
 import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
-from axi import vertices
-from engine import signed
 from engine_bench import (DESIGN, LEAST, LOADED, MEMORY_A, MEMORY_B, MOST, POINT, WORD, check_run,
                           load, ready, test)
-from golden import Found
+from sepax.cocotb import Found, signed, vertices
 
 READ_ONLY = ("ID GENERATOR DESIGN MEMORY STATUS COUNT_A COUNT_B PAIRS CANDIDATES COLLISIONS "
              "OUT_OF_RANGE WARNINGS CYCLES FIRST_A FIRST_B").split()

@@ -7,9 +7,9 @@ import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
 import golden
-from axi import vertices
 from engine_bench import (LEAST, LOADED, MODEL, MOST, POINT, WORD, check_counts, check_run, load,
                           objects, ready, test)
+from sepax.cocotb import vertices
 
 
 @test

@@ -11,7 +11,7 @@ from cocotb.utils import get_sim_time
 from cocotbext.axi import AxiStreamFrame
 
 import golden
-from stream import Answer, Stream
+from sepax.cocotb import Answer, Stream
 
 with open(f"{os.environ['SEPAX_RTL']}/sepax.json") as file:
     DESIGN = json.load(file)

@@ -11,7 +11,7 @@ from cocotb.triggers import ClockCycles
 
 import golden
 from golden_tree import Body, batch, job_bytes, pose_bytes
-from tree import TreeEngine
+from sepax.cocotb import TreeEngine
 
 FOLDER = os.environ["SEPAX_RTL"]
 with open(f"{FOLDER}/sepax.json") as file:
