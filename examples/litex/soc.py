@@ -182,8 +182,8 @@ def simulate(chip, folder, words):
         subprocess.run(["verilator", "--cc", "--exe", "--build", "-O3", "--x-assign", "fast",
                         "--noassert", "-Wno-fatal", "-Wno-lint", "--top-module", "chip", "-j", "2",
                         "-MAKEFLAGS", "OPT_FAST=-Og OPT_GLOBAL=-O1",
-                        "--Mdir", "obj", "-o", "../run", "chip.v", *sources, HERE / "sim.cpp"], cwd=made, check=True, stdout=log,
-                       stderr=log)
+                        "--Mdir", "obj", "-o", "../run", "chip.v", *sources, HERE / "sim.cpp"],
+                       cwd=made, check=True, stdout=log, stderr=log)
     return subprocess.run(["./run"], cwd=made, check=True, capture_output=True, text=True).stdout
 
 
