@@ -84,11 +84,11 @@ ifeq ($(DESIGN),)
 include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
-EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python calibrate \
+EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python by-hand calibrate \
               clearance cocotb compare-meshes coverage distances driver engine-sweep estimate \
               exhaustive fuzz guard guard-time hard impeller machine multivt mutation mutation-c \
-              netlist-sweep packages path-campaign posed-pairs proofs sanitize scene slurm \
-              static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              netlist-sweep packages path-campaign posed-pairs proofs sanitize scene slurm static \
+              tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -240,6 +240,9 @@ MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=4 II=3 LANES=4 MEMORY_A=128 MEMORY_B=128" "WORD=6 II=6 TREE=1")
 experiment-mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
+# 48 faults in control, buses and memories, or those of NAMES, a pattern.
+experiment-by-hand: $(SEPAX) $(LIB) $(IO)
+	@tb/mutation/hardware/by_hand $(if $(NAMES),-n '$(NAMES)')
 mutations:
 	@printf '%s\n' $(MUTATIONS)
 

@@ -234,6 +234,9 @@ private:
   unsigned transfers_of_objects() {
     const memory_master master = {top->m_axi_arvalid != 0, top->m_axi_rready != 0,
                                   top->m_axi_araddr, top->m_axi_arlen};
+    if (top->m_axi_arvalid && (top->m_axi_arsize != 4 || top->m_axi_arburst != 1)) {
+      breach("a burst that is not of 16 bytes a beat, or not INCR");
+    }
     unsigned transfers = (unsigned)(top->m_axi_arvalid && top->m_axi_arready) +
                          (unsigned)(top->m_axi_rvalid && top->m_axi_rready);
     memory_clock(&external, &master);

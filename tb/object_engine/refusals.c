@@ -125,6 +125,9 @@ void refusals(void) {
   settings();
   counts_and_words();
   bus_reset();
+  send_beats(3, true);
+  expect("START without A", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_START), 0);
+  bus_reset();
   send_beats(3, false);
   expect("A is loaded", value_of(SEPAX_STATUS), SEPAX_STATUS_LOADED_A);
   expect("COUNT_A", value_of(SEPAX_COUNT_A), 1);
@@ -267,6 +270,35 @@ static void clear_beside(uint32_t bit, bool of_a_vertex) {
   expect("some are cleared, some stand", stands > 1 && stands < 39, 1);
 }
 
+/* All results of a run: the last of them. */
+static uint64_t last_result(void) {
+  uint64_t result = 0;
+  for (bool last = false; !last && bus_receive(NULL, &result, &last);) {}
+  return result;
+}
+
+/* STOP in each of the cycles about the end of a run: STATUS and the last transfer say the same. */
+static void stop_beside_end(bool paced) {
+  enum { AROUND = 25 };
+  int stopped = 0;
+  start();
+  last_result();
+  wait_for_end();
+  uint64_t cycles = value_of(SEPAX_CYCLES);
+  for (uint64_t after = 0; after < 2 * AROUND; after++) {
+    start();
+    bus_idle(after + (cycles > AROUND ? cycles - AROUND : 0));
+    expect("STOP", bus_write(NULL, SEPAX_COMMAND, SEPAX_COMMAND_STOP), 1);
+    uint64_t last = last_result();
+    wait_for_end();
+    expect("STATUS and the last transfer about STOP",
+           (value_of(SEPAX_STATUS) & SEPAX_STATUS_STOPPED) != 0, last >> 62 & 1);
+    stopped += (last >> 62 & 1) != 0;
+  }
+  expect("STOP comes before the end, and behind it",
+         !paced || (stopped > 0 && stopped < 2 * AROUND), 1);
+}
+
 /* A run of which nobody takes results for a while, then STOP. `around`: cycles from START to the
  * interrupt that are not of the run. */
 static void nobody_takes(uint64_t blocked, uint64_t around, bool paced) {
@@ -350,6 +382,8 @@ void controls(sepax_tri *a, sepax_tri *b, uint64_t blocked, bool paced) {
     clear_beside(SEPAX_PENDING_HIT, false);
     clear_beside(SEPAX_PENDING_LOADED, true);
   }
+  expect("MODE", bus_write(NULL, SEPAX_MODE, 0), 1);
+  stop_beside_end(paced);
   expect("ENABLE", bus_write(NULL, SEPAX_ENABLE, SEPAX_ENABLE_DONE), 1);
   expect("PENDING clears", bus_write(NULL, SEPAX_PENDING, 7), 1);
   bus_idle(2);

@@ -46,13 +46,12 @@ void memory_reset(memory *m) {
 }
 
 /* Each answer that AXI has for a read that went wrong, and RLAST at a wrong beat. */
-static void spoil(memory *m) {
-  uint64_t how = memory_draw(&m->state) % 4;
+static void spoil(memory *m, unsigned how) {
   m->is_bad = true;
   if (how == 0) {
     m->slave.rlast = !m->slave.rlast;
   } else {
-    m->slave.rresp = (unsigned)how; /* EXOKAY, SLVERR, DECERR */
+    m->slave.rresp = how; /* EXOKAY, SLVERR, DECERR */
   }
 }
 
@@ -64,18 +63,22 @@ static void answer(memory *m) {
   s->rlast = m->beat + 1 == m->open[m->head].beats;
   s->rresp = 0;
   m->is_bad = false;
+  bool keeps = false;
   uint64_t offset = address - o->base;
   if (address < o->base || (offset + MEMORY_BEAT > o->size && !o->repeated)) {
     s->rresp = 3;
     m->is_bad = true;
   } else if ((address >= o->error_from && address < o->error_to) ||
              (o->error_odds > 0 && memory_draw(&m->state) % o->error_odds == 0)) {
-    spoil(m);
+    spoil(m, (unsigned)(memory_draw(&m->state) % 4));
+  } else if (m->counts.beats + 1 == o->wrong_beat) {
+    spoil(m, o->wrong_how);
+    keeps = o->wrong_keeps;
   }
   for (int k = 0; k < 4; k++) { /* what comes with an error is not to be used */
     s->rdata[k] = (uint32_t)memory_draw(&m->state);
   }
-  if (!m->is_bad) {
+  if (!m->is_bad || keeps) {
     const uint8_t *from = o->bytes + (o->repeated ? offset & (o->size - 1) : offset);
     for (int k = 0; k < 4; k++) {
       s->rdata[k] = (uint32_t)from[4 * k] | (uint32_t)from[4 * k + 1] << 8 |
@@ -84,11 +87,26 @@ static void answer(memory *m) {
   }
 }
 
+/* A beat that belongs to no burst, where none can be on its way: an address that the master drives
+ * may be taken in this cycle. */
+static void offer_uncalled(memory *m) {
+  memory_slave *s = &m->slave;
+  m->is_uncalled = m->counts.open == 0 && !m->before.arvalid && memory_draw(&m->state) % 2 == 0;
+  s->rvalid = m->is_uncalled;
+  s->rresp = 0;
+  s->rlast = memory_draw(&m->state) % 2 == 0;
+  for (int k = 0; k < 4; k++) {
+    s->rdata[k] = (uint32_t)memory_draw(&m->state);
+  }
+}
+
 const memory_slave *memory_drive(memory *m) {
   bool blocked = m->options.stress != 0 && (m->cycle / 64 + m->options.stress) % 8 == 0;
   m->slave.arready = m->counts.open < MEMORY_OPEN_MAX && goes_on(m) && !blocked;
   if (!m->slave.rvalid && m->head != m->tail && m->cycle >= m->open[m->head].due && goes_on(m)) {
     answer(m);
+  } else if (!m->slave.rvalid && m->options.uncalled) {
+    offer_uncalled(m);
   }
   return &m->slave;
 }
@@ -143,7 +161,12 @@ void memory_clock(memory *m, const memory_master *master) {
   }
   m->was_blocked = master->arvalid && !m->slave.arready;
   m->before = *master;
-  if (m->slave.rvalid && master->rready) {
+  if (m->is_uncalled) {
+    if (master->rready) {
+      breach(m, "a beat is taken that belongs to no burst", master->araddr);
+    }
+    m->is_uncalled = m->slave.rvalid = false;
+  } else if (m->slave.rvalid && master->rready) {
     m->counts.beats++;
     m->counts.errors += m->is_bad;
     m->slave.rvalid = false;

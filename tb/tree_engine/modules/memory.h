@@ -30,7 +30,13 @@ typedef struct {
   /* Beats in [error_from, error_to) come with EXOKAY, SLVERR, DECERR or a wrong RLAST. */
   uint64_t error_from, error_to;
   uint64_t error_odds; /* and one beat in so many, at random; 0: none */
-  uint32_t *bursts;    /* a number a beat of `bytes`: bursts that began there; NULL: not counted */
+  /* And beat wrong_beat, counted from 1 on since memory_open, comes with RRESP wrong_how, or where
+   * that is 0 with a wrong RLAST; where wrong_keeps, its data are right. */
+  uint64_t wrong_beat;
+  unsigned wrong_how;
+  bool wrong_keeps;
+  bool uncalled;    /* beats come, for a cycle each, while no burst is open, which AXI forbids */
+  uint32_t *bursts; /* a number a beat of `bytes`: bursts that began there; NULL: not counted */
 } memory_options;
 
 /* What the master drives in a cycle. */
@@ -61,6 +67,7 @@ typedef struct {
   memory_master before; /* of the cycle before */
   bool was_blocked;     /* its address was not taken */
   bool is_bad;          /* the beat that is answered comes with an error */
+  bool is_uncalled;     /* it belongs to no burst */
   uint64_t cycle, state, rate;
   struct {
     uint64_t address, due; /* the cycle from which on it may be answered */

@@ -203,6 +203,8 @@ static void compare(const bench_batch *b, contacts *c, const sepax_tree_result *
   bool hit = (o->status & SEPAX_TREE_HIT) != 0;
   count(c, "no FIRST", hit ? 0 : o->first[0] | o->first[1] | o->row[0] | o->row[1], 0);
   count(c, "no run", (o->status & (SEPAX_TREE_BUS | SEPAX_TREE_REFUSED)) != 0 ? o->cycles : 0, 0);
+  unsigned none = o->status & SEPAX_TREE_NO_VERDICT;
+  count(c, "a status without a verdict is one bit", none != 0 ? o->status : 0, none & (0 - none));
   if (c->stale) {
     return;
   }

@@ -18,6 +18,7 @@ enum { POSES_MOST = 6, TRIANGLES_MOST = 300 };
 static int64_t jobs_most = JOBS_MOST;
 static int64_t poses_most = POSES_MOST;
 static bool is_small; /* bodies of up to 40 triangles */
+static bool is_full;  /* jobs of poses_most poses, not of up to as many */
 
 /* ------------------------------------------------------------------ bodies */
 
@@ -199,7 +200,7 @@ static void other_pose(uint8_t *bytes, sepax_tree_side side, sepax_vec vertex) {
 static void some_job(scene *s, uint32_t n, const sepax_tree_job *last) {
   sepax_error error = {0};
   sepax_tree_job job = *last;
-  job.count = (uint32_t)range(1, poses_most);
+  job.count = (uint32_t)range(is_full ? poses_most : 1, poses_most);
   job.modes = some_modes(n > 0);
   job.budget = range(0, 5) == 0 ? (uint32_t)range(1, range(0, 1) != 0 ? 200 : 3000) : 0;
   for (int i = 0; i < 2; i++) {
@@ -260,6 +261,21 @@ static void draw_scene(scene *s, bool is_scattered) {
 }
 
 void some_scene(scene *s) { draw_scene(s, false); }
+
+void simple_scene(scene *s, uint32_t poses, bool of_small) {
+  const int64_t most[] = {jobs_most, poses_most};
+  bool before = is_small;
+  jobs_most = 1;
+  poses_most = poses;
+  is_small = of_small;
+  is_full = true;
+  some_scene(s);
+  jobs_most = most[0];
+  poses_most = most[1];
+  is_small = before;
+  is_full = false;
+  memset(bench_at(s->job[0]) + 76, 0, 8); /* modes, budget */
+}
 
 void free_scene(scene *s) {
   sepax_tree_free(s->tree[0]);
@@ -417,6 +433,7 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
   }
   if (rounds > 0 && wrong == 0) {
     refusals();
+    partners(seed);
   }
   tell("sound", &sound);
   tell("damaged", &broken);

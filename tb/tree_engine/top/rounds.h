@@ -20,6 +20,12 @@ typedef struct {
 void some_scene(scene *s);
 void free_scene(scene *s);
 
+/* One job of so many poses, without modes and a budget; of bodies of up to 40 triangles, or any. */
+void simple_scene(scene *s, uint32_t poses, bool of_small);
+
+/* Memory and host that do what they must not, or the worst that they may. */
+void partners(uint64_t seed);
+
 /* What the engine refuses, its settings and interrupts. */
 void refusals(void);
 
