@@ -17,7 +17,8 @@ from ._verdicts import (Basis, Code, Distance, Inside, Nearness, Nearnesses, Ver
 from .bodies import (Body, Pairs, Shell, Within, collide, distance, meshes_pairs, near, pairs,
                      within)
 from .files import nearest_poses, read_mesh, read_poses, weld, write_stl
-from .hardware import Design, Estimate, Port, estimate, generate, plot_area
+from .hardware import (Accuracy, Design, Estimate, Port, accuracy, estimate, generate,
+                       plot_accuracy, plot_area)
 from .manager import CollisionManager, ContactData, DistanceData, scene_to_collision
 from .mechanism import Answers, Joint, Mechanism
 from .paths import Certificate, PathResult, program

@@ -2,6 +2,7 @@
 """Hardware: the Verilog of a core or an engine, as files and objects, made by the program sepax."""
 from __future__ import annotations
 
+import csv
 import json
 import os
 import re
@@ -39,6 +40,24 @@ class Estimate(NamedTuple):
     latency_ns: float
     pairs_per_second: float
     said: Dict[str, Any]
+
+
+class Accuracy(NamedTuple):
+    """Wrong verdicts of a design on pairs of triangles that are made to be hard.
+
+    design: its options. pairs, collisions: how many, and how many of them collide. missed: pairs
+    that collide and are called separated; missed_share: the interval of 95 % of their share of the
+    collisions. deepest: how deep the deepest of them reach into each other, in LSB. false_alarms,
+    false_share: of the separated pairs likewise. widest: the widest gap of these, in LSB."""
+    design: str
+    pairs: int
+    collisions: int
+    missed: int
+    missed_share: Tuple[float, float]
+    deepest: float
+    false_alarms: int
+    false_share: Tuple[float, float]
+    widest: float
 
 
 class Design:
@@ -95,16 +114,16 @@ def _words(options: Dict[str, Any]) -> List[str]:
     return words
 
 
-def _run(words: List[str]) -> str:
+def _run(command: str, words: List[str]) -> str:
     try:
-        done = subprocess.run([program(), "gen", *words], capture_output=True, text=True,
+        done = subprocess.run([program(), command, *words], capture_output=True, text=True,
                               check=False)
     except OSError as error:
         raise MissingError(f"the program sepax does not run ({error}): pip install sepax-io, or "
                            "correct SEPAX_PROGRAM") from None
     if done.returncode != 0:
         said = done.stderr.strip().splitlines() or [f"status {done.returncode}"]
-        raise ArgumentError(re.sub(r"^sepax gen: |^.*sepax: ", "", said[0]))
+        raise ArgumentError(re.sub(rf"^sepax {command}: |^.*sepax: ", "", said[0]))
     return done.stdout
 
 
@@ -121,7 +140,7 @@ def generate(folder: Path, *, prefix: str = "sepax", **options: Any) -> Design:
     if not options.get("arch") in (None, "exact", "paper", "conference"):
         raise ArgumentError(f"arch is {options['arch']!r}; give exact, paper or conference")
     words = _words(options)
-    _run([*words, f"--prefix={prefix}", "-o", os.fspath(folder)])
+    _run("gen", [*words, f"--prefix={prefix}", "-o", os.fspath(folder)])
     try:
         return Design(folder, prefix)
     except (OSError, KeyError, json.JSONDecodeError) as error:
@@ -131,11 +150,58 @@ def generate(folder: Path, *, prefix: str = "sepax", **options: Any) -> Design:
 def estimate(**options: Any) -> Estimate:
     """Estimate a design without writing it. options: as for `generate`.
     Returns an Estimate. Raises ArgumentError, MissingError."""
-    said = json.loads(_run([*_words(options), "--estimate", "--json"]))
+    said = json.loads(_run("gen", [*_words(options), "--estimate", "--json"]))
     energy = {name: (value["nj"], value["error_nj"]) for name, value in
               (said.get("energy") or {}).items()}
     return Estimate(said["ge"], said["ge_error"], said["flip_flops"], said["flip_flops_error"],
                     energy, said["latency"], said["latency_ns"], said["pairs_per_second"], said)
+
+
+def accuracy(*, family: str = "local", pairs: int = 100000, seed: int = 1, truth: str = "real",
+             **options: Any) -> Accuracy:
+    """Count the wrong verdicts of a design, by its golden model.
+
+    family: of pairs; "local": triangles of all sizes near each other; `sepax vectors --list` lists
+    them. pairs: how many. truth: "real": the right verdict is that of the triangles before they
+    were rounded to W bits; "quantised": that of the rounded triangles, so that only the arithmetic
+    of the design can be wrong. options: those of `sepax accuracy`: word, arch, precision, ...
+    Returns an Accuracy. Raises ArgumentError, MissingError."""
+    said = _run("accuracy", [*_words(options), f"--family={family}", f"--count={pairs}",
+                             f"--seed={seed}", f"--truth={truth}", "--csv"])
+    row = next(row for row in csv.DictReader(said.splitlines())
+               if row["family"] == family and row["triangles"] == "any")
+
+    def interval(name: str) -> Tuple[float, float]:
+        return float(row[f"{name}_low"]), float(row[f"{name}_high"])
+    return Accuracy(row["design"], int(row["pairs"]), int(row["collisions"]), int(row["missed"]),
+                    interval("missed"), float(row["deepest_missed_lsb"]),
+                    int(row["false_alarms"]), interval("false"), float(row["widest_false_lsb"]))
+
+
+def plot_accuracy(axes: Any, words: Any = (8, 10, 12, 14, 16), *, gates: float = 1.212e6,
+                  pairs: int = 100000, ii: int = 1, **options: Any) -> List[Accuracy]:
+    """Draw speed against error, a point for each word length; matplotlib's axes.
+
+    The speed is that of as many cores as fit into `gates`, which is the size of the paper's chip.
+    The error is the share of collisions that are missed because coordinates are rounded to W bits:
+    the interval of 95 %. pairs: pairs of triangles for each point.
+    Returns the accuracies, in the order of `words`."""
+    found = []
+    for word in words:
+        guess = estimate(word=word, ii=ii, **options)
+        speed = guess.pairs_per_second * (gates // guess.gates)
+        found.append(accuracy(word=word, pairs=pairs, **options))
+        low, high = found[-1].missed_share
+        middle = found[-1].missed / found[-1].collisions or high
+        axes.errorbar(speed / 1e9, middle, yerr=[[middle - low], [high - middle]], color="#147",
+                      marker="o" if low > 0 else "v", markersize=4, capsize=2, linewidth=1)
+        axes.annotate(f"W = {word}", (speed / 1e9, middle), xytext=(6, 3),
+                      textcoords="offset points", fontsize=8)
+    axes.set_yscale("log")
+    axes.margins(x=0.1, y=0.12)
+    axes.set_xlabel(f"billion pairs a second, {gates / 1e3:.0f}K GE")
+    axes.set_ylabel("collisions missed")
+    return found
 
 
 def plot_area(axes: Any, words: Any = (12, 18, 24), iis: Any = (1, 2, 3, 6, 9, 18),

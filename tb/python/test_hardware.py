@@ -41,6 +41,21 @@ class Designs(unittest.TestCase):
         self.assertTrue(0 < fast.gates_error < fast.gates)
         self.assertEqual(set(fast.energy), {"separated", "colliding", "coplanar"})
 
+    def test_accuracy(self):
+        """Rounding to fewer bits misses more collisions; the arithmetic of exact misses none."""
+        coarse, fine = (sepax.accuracy(word=word, pairs=5000) for word in (8, 14))
+        self.assertGreater(coarse.missed, 10 * max(fine.missed, 1))
+        low, high = coarse.missed_share
+        self.assertTrue(low < coarse.missed / coarse.collisions < high)
+        self.assertEqual((coarse.pairs, coarse.design.split()[1]), (5000, "--word=8"))
+        exact = sepax.accuracy(word=8, pairs=5000, truth="quantised")
+        self.assertEqual((exact.missed, exact.false_alarms), (0, 0))
+        paper = sepax.accuracy(word=18, arch="paper", precision="word", truth="quantised",
+                               family="touch-face", pairs=5000)
+        self.assertGreater(paper.missed + paper.false_alarms, 0)
+        with self.assertRaisesRegex(sepax.ArgumentError, "nearby"):
+            sepax.accuracy(family="nearby")
+
     def test_refused(self):
         """The option and its range are named; nothing is written."""
         for options, text in (({"word": 99}, "word"), ({"ii": 0}, "ii"), ({"wrd": 12}, "wrd"),
