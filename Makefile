@@ -171,7 +171,7 @@ $(NEEDING): need-%:
 	@$(CHECK_$*)
 CHECK_layout = synth/layout/run -c && { [ -n "$(or $(LEF),$(wildcard $(LIBERTY:.lib=.lef)))" ] || \
                { echo 'layout: give LEF="FILE ..." of $(notdir $(LIBERTY))' >&2; exit 2; }; }
-ROUTED_HERE  = $(filter ecp5 ice40,$(if $(call given,TARGET),$(TARGET),ecp5 ice40))
+ROUTED_HERE  = $(filter ecp5 ice40 gowin,$(if $(call given,TARGET),$(TARGET),ecp5 ice40 gowin))
 # If the program is there, then it says first whether there is such a design.
 CHECK_fpga   = { [ ! -x $(SEPAX) ] || $(SEPAX) name --environment > /dev/null; } && \
                $(foreach target,$(ROUTED_HERE),synth/fpga/route -c $(target) &&) true

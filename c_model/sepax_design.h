@@ -97,8 +97,9 @@ typedef struct {
                              core decides; 0 and 0: no limit */
   bool early_out;         /* exact: put an AABB test before the core, so that the core idles for
                              pairs that the test decides; always there with extents */
-  bool registered_ready; /* exact: put a skid buffer before the core, to make in_ready a register */
-  bool clock_gating;     /* exact: registers have enables and stand still without a pair */
+  bool registered_ready;  /* exact: put a skid buffer before the core, to make in_ready a register;
+                             on an FPGA it is there anyway */
+  bool clock_gating;      /* exact: registers have enables and stand still without a pair */
   int clearance, warning; /* exact: distances in LSB; -1 and 0: none. A pair is called free only if
                              the real triangles are farther apart than `clearance`
                              (docs/reference/clearance.md) */

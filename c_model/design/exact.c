@@ -71,10 +71,11 @@ static bool check_around(const sepax_config *config, sepax_error *error) {
                       "early-out: with %s AABBs are tested before the core anyway; leave it out",
                       around->tests_aabbs ? around->name : "extents");
   }
-  if (config->registered_ready && around->name != NULL) {
+  bool fpga = config->target != SEPAX_TARGET_ASIC;
+  if (config->registered_ready && (around->name != NULL || fpga)) {
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
                       "registered-ready: %s has registers there anyway; leave it out",
-                      around->name);
+                      around->name != NULL ? around->name : "a core for an FPGA");
   }
   return true;
 }

@@ -87,7 +87,7 @@ static const design_option table[] = {
     {.name = "registered-ready", .kind = OPTION_SWITCH, FIELD(registered_ready),
      CHOICES(switch_names), .archs = EXACT, .tag = "-rr", .argument = "on|off",
      .help = "put a skid buffer before the core, so that in_ready comes from a register and no "
-             "input reaches it in the same cycle (default off)"},
+             "input reaches it in the same cycle (default off; a core for an FPGA always has it)"},
     {.name = "clock-gating", .kind = OPTION_SWITCH, FIELD(clock_gating), CHOICES(switch_names),
      .archs = EXACT, .tag = "-cg", .argument = "on|off",
      .help = "add enables to the registers of the core. The enables follow each pair through the "

@@ -55,7 +55,8 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
                 extents                                   ? ", 13 AABBs, 14 undecided"
                 : design->aabb_test || design->limits > 0 ? ", 13 AABBs"
                                                           : "");
-  emit_hole_set(h, "unless_decided", design->aabb_test ? " && !decided_q[JUDGED-1]" : "");
+  emit_hole_set(h, "unless_decided", design->aabb_test ? " && !decided_q[%s]" : "",
+                design->config.target == SEPAX_TARGET_ASIC ? "JUDGED-1" : "BEFORE");
   emit_hole_set(h, "decided", extents ? "(in_disjoint || in_exceeds)" : "in_disjoint");
   emit_hole_set(h, "note_in", extents ? "{in_disjoint, in_exceeds}" : "in_disjoint");
   emit_hole_set(h, "exceeded", extents ? "note[0]" : "1'b0");

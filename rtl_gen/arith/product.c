@@ -30,13 +30,14 @@ static bool cut_for(const arith_form *form, int a, int b, int low_a, arith_cut *
 
 static int cost_of(const arith_cut *cut) { return 8 * cut->parts + cut->low_a + cut->low_b; }
 
-/* Until what logic makes of the low bits has settled: their products and the sum of them. */
+/* Until what logic makes of the low bits has settled: the sum of two of their products, or behind
+ * registers the sum of up to three such sums. */
 static double settled(const arith_form *form, const arith_cut *cut) {
   const delay_model *m = form->delay;
   int terms = cut->low_a + cut->low_b;
-  double all = delay_register(m) + delay_mux(m, 2);
-  all += terms > 1 ? delay_adder(m, form->a_w + cut->low_b + 1) : 0;
-  return all + (terms > 2 ? ceil(log2(terms) - 1) * delay_compressor(m) : 0);
+  double sum = terms > 1 ? delay_adder(m, form->a_w + cut->low_b + 1) : 0;
+  double of_sums = terms > 4 ? sum + delay_compressor(m) : 0;
+  return delay_register(m) + fmax(delay_mux(m, 2) + sum, of_sums);
 }
 
 void arith_product_make(arith_plan *p, const arith_form *form, double period) {
@@ -139,49 +140,45 @@ static void clock_registers(emit_text *out, const arith_plan *p) {
   }
 }
 
-/* What logic makes of the low bits: each times the other factor, of which it needs all bits, or, of
- * the factor whose own bits are the last ones, only these. */
-static int low_factor_msb(const arith_plan *p, char factor) {
-  return factor == 'a' ? (p->cut.low_b > 0 ? p->a_w : p->cut.low_a) - 1
-                       : (p->cut.low_a > 0 ? p->b_w : p->cut.low_b) - 1;
-}
-
-/* Term n of it. */
+/* Term n of what logic makes of the low bits: one of them times the other factor. */
 static gen_line low_term(const arith_plan *p, int n) {
   int width = low_width(p);
   bool of_b = n < p->cut.low_b;
   int bit = of_b ? n : n - p->cut.low_b;
-  const gen_line factor = of_b ? bits("low_a", p->a_w - 1, 0, width - n)
-                               : bits("low_b", p->b_w - 1, p->cut.low_b, width - n);
-  return gen_format("({%d{low_%c[%d]}} & {%s%s})", width, of_b ? 'b' : 'a', bit, factor.text,
+  const gen_line factor =
+      of_b ? bits("a", p->a_w - 1, 0, width - n) : bits("b", p->b_w - 1, p->cut.low_b, width - n);
+  return gen_format("({%d{%c[%d]}} & {%s%s})", width, of_b ? 'b' : 'a', bit, factor.text,
                     n > 0 ? gen_format(", %d'd0", n).text : "");
 }
 
-/* Pairs of terms, then their sums. */
+/* Pairs of terms, then, behind a register each, their sum. */
 static void print_low(emit_text *out, const arith_plan *p) {
-  int terms = low_bits(p);
-  if (terms == 0) {
-    return;
+  for (int n = 0; n < low_bits(p); n += 2) {
+    text_printf(out, "  reg [%d:0] low_%d;\n", low_width(p) - 1, n / 2);
   }
-  text_printf(out, "  reg signed [%d:0] low_a;\n  reg signed [%d:0] low_b;\n  wire [%d:0] low =",
-              low_factor_msb(p, 'a'), low_factor_msb(p, 'b'), low_width(p) - 1);
-  for (int n = 0; n < terms; n += 2) {
-    text_printf(out, terms > 2 && n + 1 < terms ? "%s\n    (%s" : "%s\n    %s", n > 0 ? " +" : "",
-                low_term(p, n).text);
-    if (n + 1 < terms) {
-      text_printf(out, terms > 2 ? " +\n     %s)" : " +\n    %s", low_term(p, n + 1).text);
+  if (low_bits(p) > 0) {
+    text_printf(out, "  reg signed [%d:0] low_q;\n", low_width(p) - 1);
+    for (int n = 2; n <= last_part(p) + 1; n++) {
+      text_printf(out, "  reg [%d:0] low_q%d;\n", low_bits(p) - 1, n);
     }
-  }
-  text_printf(out, ";\n  reg signed [%d:0] low_q;\n", low_width(p) - 1);
-  for (int n = 2; n <= last_part(p) + 1; n++) {
-    text_printf(out, "  reg [%d:0] low_q%d;\n", low_bits(p) - 1, n);
   }
 }
 
 static void clock_low(emit_text *out, const arith_plan *p) {
-  if (low_bits(p) > 0) {
-    text_printf(out, "    low_a <= a[%d:0];\n    low_b <= b[%d:0];\n    low_q <= low;\n",
-                low_factor_msb(p, 'a'), low_factor_msb(p, 'b'));
+  int terms = low_bits(p);
+  for (int n = 0; n < terms; n += 2) {
+    text_printf(out, "    low_%d <=\n      %s", n / 2, low_term(p, n).text);
+    if (n + 1 < terms) {
+      text_printf(out, " +\n      %s", low_term(p, n + 1).text);
+    }
+    text_puts(out, ";\n");
+  }
+  if (terms > 0) {
+    text_puts(out, "    low_q <= low_0");
+    for (int n = 2; n < terms; n += 2) {
+      text_printf(out, " + low_%d", n / 2);
+    }
+    text_puts(out, ";\n");
     for (int n = 2; n <= last_part(p) + 1; n++) {
       text_printf(out, n == 2 ? "    low_q%d <= low_q[%d:0];\n" : "    low_q%d <= low_q%d;\n", n,
                   n == 2 ? low_bits(p) - 1 : n - 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The band, and the axis that proves it, from what exceeds the limits. Each of f is
-// {orient3d is zero, is below zero, exceeds the limit of each clearance}. Combinational. In this
+// {orient3d is zero, is below zero, exceeds the limit of each clearance}. @band_latency@ In this
 // order:
 //   AXIS_AABB      x, y or z: the AABBs are outside the clearance
 //   AXIS_NORMAL_A  N_A: all f_s exceed on one side
@@ -13,6 +13,7 @@ module sepax_decide_band #(
   parameter LIMITS = @limits@, // clearances
   parameter F = LIMITS+2       // bits of each of f
 ) (
+  input  wire                clk,      // clock //@ chain
   input  wire [3*F-1:0]      f_s,      // of A's plane and B_k
   input  wire [3*F-1:0]      f_w,      // of B's plane and A_i
   input  wire [9*F-1:0]      f_d,      // of edge i of A and edge j of B at 3i + j
@@ -62,12 +63,22 @@ module sepax_decide_band #(
     end
   endgenerate
 
-  assign coplanar = &zero;
-//@ if two_limits
-  assign by = (proved[25:13] != 13'd0) ? proved[25:13] : proved[12:0];
-  assign band = (proved[25:13] != 13'd0) ? 2'd0 : (proved[12:0] != 13'd0) ? 2'd1 : 2'd2;
+//@ if chain
+  reg [13*LIMITS-1:0] proved_q;
+  reg zero_q;
+  always @(posedge clk) begin
+    proved_q <= proved;
+    zero_q <= &zero;
+  end
+  assign coplanar = zero_q;
 //@ else
-  assign by = proved;
+  assign coplanar = &zero;
+//@ end
+//@ if two_limits
+  assign by = (proved@q@[25:13] != 13'd0) ? proved@q@[25:13] : proved@q@[12:0];
+  assign band = (proved@q@[25:13] != 13'd0) ? 2'd0 : (proved@q@[12:0] != 13'd0) ? 2'd1 : 2'd2;
+//@ else
+  assign by = proved@q@;
   assign band = (by != 13'd0) ? 2'd0 : 2'd2;
 //@ end
 

@@ -162,7 +162,7 @@ void coordinates_clock(const coordinates *c, advance *a, emit_text *out) {
         depth += 2;
       }
       if (c->ii > 1) {
-        const gen_line slot = gen_format("slot[%d]", (start + c->ii - 1) % c->ii);
+        const gen_line slot = advance_slot(a, start, start + c->ii - 1);
         text_printf(out, "%*sif (%s) begin\n", depth, "",
                     a->gated && bank == 0 ? "last" : slot.text);
         depth += 2;

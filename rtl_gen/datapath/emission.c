@@ -17,12 +17,12 @@ static const schedule_producer *producer_of(const datapath *d, const graph_kind 
 /* ---------------------------------------------------------------------- operands */
 
 /* What is high in this cycle of the II window: a bit of the slot, or its copy of this name, which
- * is made of the bit a cycle earlier. */
-static gen_line slot_name(const emission *e, const char *copies, int cycle) {
+ * is made of the bit a cycle earlier. On an FPGA each II window has a copy instead. */
+static gen_line slot_name(const emission *e, const char *copies, int begin, int cycle) {
   int ii = e->d->schedule.ii;
   int slot = cycle % ii;
-  if (copies == NULL) {
-    return gen_format("slot[%d]", slot);
+  if (copies == NULL || e->advance->copied) {
+    return advance_slot(e->advance, begin, cycle);
   }
   const gen_line name = gen_format("slot_%s_%d", copies, slot);
   const gen_line wire = gen_format("  wire %s;\n", name.text);
@@ -42,7 +42,8 @@ static void print_case(const emission *e, emit_text *out, const graph_kind *k, i
   int terms = 0;
   for (int slot = first; slot < e->d->schedule.ii; slot++) {
     if (strcmp(source[slot].text, source[first].text) == 0) {
-      text_printf(out, "%s%s", separator, slot_name(e, k->slots, k->start[unit] + slot).text);
+      text_printf(out, "%s%s", separator,
+                  slot_name(e, k->slots, k->start[unit], k->start[unit] + slot).text);
       separator = ++terms % 4 == 0 ? " ||\n       " : " || ";
     }
   }
@@ -256,6 +257,7 @@ void emission_holes(datapath *d, emit_holes *h) {
   for (int kind = 0; kind < d->graph.kinds; kind++) {
     print_units(&(emission){d, &d->advance, &h->text}, &d->graph.kind[kind]);
   }
+  advance_copies(&d->advance, emit_hole_open(h, "slot_copies"));
   emit_hole_close(h);
 }
 

@@ -121,7 +121,7 @@ static void move_lines(const schedule *s, advance *a, int cycle, emit_text *out)
 }
 
 /* Holding registers that are loaded in this phase of the II window; with enables those of this
- * cycle. */
+ * cycle, with copies of the slot those of this copy. */
 static void move_holds(const schedule *s, advance *a, int phase, int cycle, emit_text *out) {
   bool open = false;
   for (const schedule_producer *t = s->producer; t < s->producer + s->producers; t++) {
@@ -129,13 +129,13 @@ static void move_holds(const schedule *s, advance *a, int phase, int cycle, emit
       int loaded = t->first + k + t->line;
       for (int n = t->line + 1; loaded % s->ii == phase && n <= t->line + holds(s, t, k, t->line);
            n++) {
-        if (a->gated && loaded + (n - t->line - 1) * s->ii + 1 != cycle) {
+        int read = loaded + (n - t->line - 1) * s->ii;
+        if (a->gated ? read + 1 != cycle : advance_copy(a, read) != cycle) {
           continue;
         }
         if (!open) {
-          text_printf(out,
-                      a->gated ? "    if (slot[%d] && %s) begin\n" : "    if (slot[%d]) begin\n",
-                      phase, a->gated ? advance_name(a, cycle).text : "");
+          text_printf(out, "    if (%s%s%s) begin\n", advance_slot(a, read, read).text,
+                      a->gated ? " && " : "", a->gated ? advance_name(a, cycle).text : "");
           open = true;
         }
         move(out, "      ", t, k, n);
@@ -150,7 +150,7 @@ void schedule_clock(const schedule *s, advance *a, emit_text *out) {
     move_lines(s, a, cycle, out);
   }
   for (int phase = 0; phase < s->ii; phase++) {
-    for (int cycle = 0; cycle < (a->gated ? ADVANCE_CYCLES : 1); cycle++) {
+    for (int cycle = 0; cycle < (a->gated || a->copied ? ADVANCE_CYCLES : 1); cycle++) {
       move_holds(s, a, phase, cycle, out);
     }
   }

@@ -13,13 +13,9 @@ const engine_generator *engine_generator_of(const sepax_config *config) {
   return generators[sepax__config_engine(config)];
 }
 
-bool engine_hurries_core(const sepax_config *config) {
-  return engine_generator_of(config)->hurries_core && config->target != SEPAX_TARGET_ASIC;
-}
-
 bool engine_registers_ready(const sepax_config *config) {
-  return config->registered_ready || engine_generator_of(config)->registers_ready ||
-         engine_hurries_core(config);
+  return config->registered_ready || config->target != SEPAX_TARGET_ASIC ||
+         engine_generator_of(config)->registers_ready;
 }
 
 int engine_version(void) {

@@ -15,9 +15,7 @@ typedef struct {
   void (*generate)(emitter *e, emit_holes *h, int pairs);
   const engine_registers *registers; /* NULL: none */
   bool registers_ready;              /* in_ready of the core is a register */
-  bool hurries_core; /* on an FPGA the core's control would be the engine's longest path: it gets
-                        more registers, in_ready is one of them */
-  const char *core;  /* instance of sepax_top whose ports a list of waves shows, too; NULL: none */
+  const char *core; /* instance of sepax_top whose ports a list of waves shows, too; NULL: none */
   /* ns of the longest stage that has no place for a register; NULL: no stage of the engine is. */
   double (*delay)(const delay_model *m, int word);
 } engine_generator;
@@ -29,10 +27,7 @@ SEPAX_ENGINES(ENGINE_GENERATOR)
 /* The generator of the design's engine; without an engine a row of zeros. */
 const engine_generator *engine_generator_of(const sepax_config *config);
 
-/* Does the engine ask for more registers in the core's control? */
-bool engine_hurries_core(const sepax_config *config);
-
-/* Is in_ready of the core a register, by the option or for the engine? */
+/* Is in_ready of the core a register, by the option, for the engine or as on every FPGA? */
 bool engine_registers_ready(const sepax_config *config);
 
 /* Version of the generator, as the register GENERATOR has it: {MAJOR, MINOR, PATCH}. */

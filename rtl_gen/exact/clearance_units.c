@@ -127,7 +127,7 @@ void gen_clearance_units(emitter *e, const exact_plan *p, emit_holes *h) {
   const gen_line warning = gen_format("%d'd%lld, ", word, (long long)p->design->margin[1]);
   emit_hole_set(h, "c_w", "%d", p->design->exact_format[SEPAX_X_CROSS].width);
   emit_hole_set(h, "margins", "%s%d'd%lld", p->limits > 1 ? warning.text : "", word, least);
-  if (p->design->config.ii > 1) {
+  if (p->design->config.ii > 1 && !p->delay->family) {
     emit_template(e, "sepax_slot_copy", h->hole);
   }
   gen_bounds(e);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* core.c - sepax_core: what its template needs of the plan. */
 #include "datapath/emission.h"
-#include "engine/engine.h"
 #include "exact.h"
 
 static void set_numbers(emit_holes *h, const exact_plan *p) {
@@ -12,11 +11,14 @@ static void set_numbers(emit_holes *h, const exact_plan *p) {
       h, (emit_number[]){{"slots", ii > 1},
                          {"last_slot", ii - 1},
                          {"passes", !p->single},
-                         {"x_equal_q", ii > 1 && engine_hurries_core(&p->design->config)},
+                         {"x_equal_q", ii > 1 && p->delay->family},
+                         {"copied", p->datapath.advance.copied},
+                         {"x_equal_q2", ii > 2 && p->delay->family},
                          {"rotate", p->datapath.coordinates.rotate},
                          {"plane_cycle", p->plane_cycle},
                          {"projection_cycle", exact_projection_cycle(p)},
                          {"verdict_cycle", p->verdict_cycle},
+                         {"result_cycle", p->verdict_cycle + p->delay->family},
                          {"z_w", f[SEPAX_X_Z_SUM].width},
                          {"c_w", f[SEPAX_X_CROSS].width},
                          {"l_w", f[SEPAX_X_LIMIT].width},

@@ -42,7 +42,14 @@ static void start_units(exact_plan *p) {
   }
   /* A running sum takes three cycles; if it cannot begin so early, then the orient2d waits. */
   int own_start = own + exact_zsum_latency(p) - exact_own_zsum_latency(p) - (p->running ? 2 : 0);
-  times_start(d, k->own_zsum, own_start > 0 ? own_start : 0);
+  own_start = own_start > 0 ? own_start : 0;
+  if (p->own_running) { /* all differences in one II window: each coordinate is in one place */
+    int before = own_start > 0 ? own_start - 1 : 0;
+    before -= before % p->design->config.ii;
+    times_start(d, k->own_zdiff, before);
+    own_start = before + 1;
+  }
+  times_start(d, k->own_zsum, own_start);
   for (int kind = 0; kind < d->graph.kinds; kind++) {
     const graph_kind *prism = &d->graph.kind[k->prism];
     bool running = p->running && kind == k->running_sum; /* waits for the units of its own kind */
@@ -56,7 +63,9 @@ void exact_schedule(exact_plan *p) {
   memset(&p->datapath, 0, sizeof p->datapath);
   p->datapath.schedule.ii = config->ii;
   p->datapath.chains = p->delay->family;
-  p->datapath.advance.gated = config->clock_gating;
+  p->datapath.advance = (advance){.gated = config->clock_gating,
+                                  .ii = config->ii,
+                                  .copied = p->delay->family && config->ii > 1};
   p->datapath.coordinates =
       (coordinates){.ii = config->ii, .rotate = config->ii % 3 == 0, .still = p->delay->family};
   exact_graph_make(p);

@@ -50,7 +50,7 @@ typedef struct {
 /* Kinds that start in a cycle of their own; others start as soon as they can. */
 typedef struct {
   int trapezoid[3], orient2d[3], own_orient2d[3];
-  int zdiff, zsum, order_z, own_zsum, prism, running_sum;
+  int zdiff, zsum, order_z, own_zdiff, own_zsum, prism, running_sum;
 } exact_kinds;
 
 /* Values by vertices: 0 ... 2 are A's, 3 ... 5 B's; by projection: on xy, yz, zx. Projections 1 and
@@ -73,7 +73,7 @@ typedef struct {
   int limits;       /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
   bool single;      /* no pair takes a second pass: the plane is not judged */
   bool running;     /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */
-  bool own_running; /* orient2d of A and of B, too */
+  bool own_running; /* orient2d of A and of B, too; B's z sum of differences behind a register */
   exact_stages stages;
   exact_graph graph;
   datapath datapath;
@@ -92,6 +92,7 @@ void exact_stages_make(exact_plan *p, double period);
 
 /* Cycles from the operands to the result. */
 int exact_trapezoid_latency(const exact_plan *p);
+int exact_order_latency(const exact_plan *p); /* of the order beside a trapezoid */
 int exact_orient2d_latency(const exact_plan *p);
 int exact_zsum_latency(const exact_plan *p);
 int exact_own_zsum_latency(const exact_plan *p);
@@ -138,7 +139,7 @@ void exact_place_judges(exact_plan *p);
 int exact_narrow_latency(const exact_plan *p);
 int exact_latency(const exact_plan *p);
 
-/* The cycle in which signs are taken for the plane: on an FPGA one before it is judged. */
+/* The cycle in which signs are taken for the plane: on an FPGA two before it is judged. */
 int exact_projection_cycle(const exact_plan *p);
 
 /* The vertices A_i and B_j, indices modulo 3; the vertex that follows v in its triangle. */

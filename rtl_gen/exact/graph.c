@@ -53,6 +53,10 @@ static const graph_row
     "O_W", true, NULL, NULL, false},
   own_zsum_running = {"zo", "sepax_own_zsum", NULL, {"so_far", "z_b", "z_a"}, 1, "z", "O_W",
     true, NULL, NULL, false},
+  own_zdiff = {"zd", "sepax_zdiff", NULL, {"z_p", "z_r"}, 1, "z", "Z_W", true, NULL,
+    "z differences of B's z sum.", false},
+  own_zsum_of_diffs = {"zo", "sepax_own_zsum", NULL, {"so_far", "diff"}, 0, "z", "O_W", true,
+    NULL, NULL, false},
   prism = {"h", "sepax_prism", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL,
     "Signed prism volumes.", false},
   prism_of_two = {"h", "sepax_prism_2", NULL, {"g", "z"}, 0, "h", "V_W", true, NULL, NULL, false},
@@ -196,11 +200,22 @@ static graph_value make_own_zsum(exact_plan *p) {
     *kind = add_kind(e, &own_zsum, exact_own_zsum_latency(p));
     return exact_add(e, *kind, own_b, GRAPH_IN(z[3], z[4], z[5], -z[0], -z[1], -z[2]), 0);
   }
-  *kind = add_kind(e, &own_zsum_running, exact_own_zsum_latency(p));
+  if (p->own_running) {
+    e->kind.own_zdiff = add_kind(e, &own_zdiff, 1);
+  }
+  *kind = add_kind(e, p->own_running ? &own_zsum_of_diffs : &own_zsum_running,
+                   exact_own_zsum_latency(p));
   graph_value sum = graph_constant(e->graph, "OWN_BIAS", "O_W");
   for (int k = 0; k < 3; k++) { /* one vertex of each triangle a cycle */
-    sum = graph_add(e->graph, *kind, GRAPH_OF(exact_b(k)),
-                    GRAPH_IN(sum, z[exact_b(k)], -z[exact_a(k)]), 0);
+    const int *vertex = GRAPH_OF(exact_b(k));
+    graph_value z_b = z[exact_b(k)];
+    graph_value z_a = z[exact_a(k)];
+    if (p->own_running) {
+      graph_value diff = graph_add(e->graph, e->kind.own_zdiff, vertex, GRAPH_IN(z_b, -z_a), 0);
+      sum = graph_add(e->graph, *kind, vertex, GRAPH_IN(sum, diff), 0);
+    } else {
+      sum = graph_add(e->graph, *kind, vertex, GRAPH_IN(sum, z_b, -z_a), 0);
+    }
   }
   return sum;
 }
@@ -305,7 +320,7 @@ static void make_orient3d(exact_plan *p) {
 static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
   graph *g = e->graph;
-  int in_x = add_kind(e, &order_x, exact_is_chained(p->stages.chained, EXACT_CHAIN_T) ? 0 : 1);
+  int in_x = add_kind(e, &order_x, exact_order_latency(p));
   int in_z = e->kind.order_z = add_kind(e, p->delay->family ? &sign_z : &order_z, 0);
   int of_both = add_kind(e, &sign, 0);
   int of_one = add_kind(e, &own_sign, 0);

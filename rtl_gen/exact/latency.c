@@ -8,7 +8,7 @@
  *   to the one in which it is judged. The target period places registers in the units (stages.c).
  *   The II says how many operations take turns in a unit, and when each starts (cycles.c). A design
  *   that may send a pair through a second pass judges the plane first;
- * - 1, the cycle of the verdict, which the reorder buffer holds. */
+ * - 1, on an FPGA 2, from the verdict to its cycle, in which the reorder buffer holds it. */
 #include "aabb/aabb.h"
 #include "exact.h"
 
@@ -31,12 +31,20 @@ static void need_all(exact_plan *p, const exact_bus *bus, int cycle) {
   }
 }
 
-int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - p->delay->family; }
+int exact_projection_cycle(const exact_plan *p) { return p->plane_cycle - 2 * p->delay->family; }
 
 int exact_trapezoid_latency(const exact_plan *p) {
   const exact_stages *s = &p->stages;
   return exact_is_chained(s->chained, EXACT_CHAIN_T) ? 0
                                                      : 1 + s->trapezoid_sums + s->trapezoid.latency;
+}
+
+/* On an FPGA the order is that of registered sums, if there are such. */
+int exact_order_latency(const exact_plan *p) {
+  const exact_stages *s = &p->stages;
+  return exact_is_chained(s->chained, EXACT_CHAIN_T) ? 0
+         : p->delay->family && s->trapezoid_sums     ? 2
+                                                     : 1;
 }
 
 int exact_orient2d_latency(const exact_plan *p) {
@@ -67,7 +75,7 @@ void exact_place_judges(exact_plan *p) {
   int windows = 0;
   times_need_operands(&p->datapath);
   if (!p->single) {
-    int needed = p->stages.sign + p->delay->family;
+    int needed = p->stages.sign + 2 * p->delay->family;
     windows = (latest_defined(p, p->graph.projection) + needed + ii) / ii;
     p->plane_cycle = windows * ii - 1;
     need_all(p, p->graph.projection, exact_projection_cycle(p));
@@ -81,6 +89,8 @@ void exact_place_judges(exact_plan *p) {
   need_all(p, p->graph.verdict, p->verdict_cycle);
 }
 
-int exact_narrow_latency(const exact_plan *p) { return 1 + (1 + p->verdict_cycle) + 1; }
+int exact_narrow_latency(const exact_plan *p) {
+  return 1 + (1 + p->verdict_cycle) + 1 + p->delay->family;
+}
 
 int exact_latency(const exact_plan *p) { return aabb_latency(p->design) + exact_narrow_latency(p); }

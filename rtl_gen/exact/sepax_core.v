@@ -18,6 +18,7 @@ module sepax_core (
 @inputs@
 //@ if passes
   input  wire       again,      // take the pair once more, u for x and z for y
+  output wire       flat_soon,  // flat of the cycle behind //@ chain
   output wire       flat,       // in cycle @plane_cycle@: all orient2d are zero
   output wire       separated,  // with it: separated in the projection
   output wire       disjoint_x, // with it: AABBs disjoint in x
@@ -25,13 +26,13 @@ module sepax_core (
   input  wire       second,     // in cycle @verdict_cycle@: the pair's second pass
 //@ end
 //@ if limits
-  output wire       coplanar,   // in cycle @verdict_cycle@: all orient3d are zero
+  output wire       coplanar,   // in cycle @result_cycle@: all orient3d are zero
   output wire [1:0] band,       // with it: 0 free, 1 warning, 2 collision
   output wire [3:0] axis        // with it: the axis that proves the band, or 0
 //@ else
   input  wire       in_plane,   // in cycle @verdict_cycle@: separated if coplanar
-  output wire       coplanar,   // in cycle @verdict_cycle@: all orient3d are zero, or a second pass
-  output wire [3:0] axis        // in cycle @verdict_cycle@: the axis that separates, or 0
+  output wire       coplanar,   // in cycle @result_cycle@: all orient3d are zero, or a second pass
+  output wire [3:0] axis        // in cycle @result_cycle@: the axis that separates, or 0
 //@ end
 );
 
@@ -63,17 +64,27 @@ module sepax_core (
   localparam M_W = @m_w@; // of an edge's limits in one projection
 //@ end
 
+@slot_copies@ //@ copied
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
   // The vertices of each triangle rotate, one place a cycle. //@ rotate
   // u is x, or y where all six x are equal: with z it makes the plane of a second pass. //@ passes
 @coordinates@
 //@ if passes
 //@ if x_equal_q
+//@ if x_equal_q2
+  reg x_equal; // two cycles before; rotation changes nothing
+  reg [4:0] equal_q;
+  always @(posedge clk) begin
+    equal_q <= {x_a2 == x_a1, x_a3 == x_a1, x_b1 == x_a1, x_b2 == x_a1, x_b3 == x_a1};
+    x_equal <= &equal_q;
+  end
+//@ else
   reg x_equal; // in the cycle before; rotation changes nothing
   always @(posedge clk) begin
     x_equal <= (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
                (x_b2 == x_a1) && (x_b3 == x_a1);
   end
+//@ end
 //@ else
   wire x_equal;
   assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
@@ -96,7 +107,7 @@ module sepax_core (
   // In cycle @projection_cycle@ of a pair:
 @plane@
   sepax_projection projection (
-    .clk(clk), //@ chain
+    .clk(clk), .flat_soon(flat_soon), //@ chain
     .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
     .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
   );
@@ -106,12 +117,14 @@ module sepax_core (
 @verdict@
 //@ if limits
   sepax_decide_band decide_band (
+    .clk(clk), //@ chain
     .coplanar(coplanar), .band(band), .axis(axis),
     .f_s(all_f_s), .f_w(all_f_w), .f_d(all_f_d), .r_s(all_r_s), .r_w(all_r_w),
     .e_xy(all_e_xy), .e_yz(all_e_yz), .e_zx(all_e_zx), .box(all_box)
   );
 //@ else
   sepax_decide decide (
+    .clk(clk), //@ chain
     .second(second), //@ passes
     .second(1'b0), //@ !passes
     .in_plane(in_plane), .coplanar(coplanar), .axis(axis),

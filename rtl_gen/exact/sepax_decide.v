@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The axis that separates, from the signs {> 0, < 0} of the 15 orient3d; 00 is zero.
-// Combinational. In this order:
+// Combinational. In this order: //@ !chain
+// Latency 1. In this order: //@ chain
 //   AXIS_PLANE     all orient3d are zero: an axis in the common plane, if in_plane says so
 //   AXIS_NORMAL_A  N_A: all of s have one sign
 //   AXIS_NORMAL_B  N_B: all of w have one sign
@@ -8,6 +9,7 @@
 //                  decreases (increases) along f_j and w along e_i
 //   AXIS_NONE      none: collision
 module sepax_decide (
+  input  wire        clk,      // clock //@ chain
   input  wire [5:0]  s,        // of A's plane and B_k: [2k +: 2]
   input  wire [5:0]  w,        // of B's plane and A_i: [2i +: 2]
   input  wire [17:0] d,        // of edge i of A and edge j of B: [2(3i + j) +: 2]
@@ -23,6 +25,7 @@ module sepax_decide (
   wire [2:0] s_falls, s_rises; // along f_j, or stays
   wire [2:0] w_falls, w_rises; // along e_i
   wire [8:0] separates;        // e_i x f_j: bit 3i + j
+  reg  [8:0] separates_q; //@ chain
   wire normal_a = (s[1] && s[3] && s[5]) || (s[0] && s[2] && s[4]);
   wire normal_b = (w[1] && w[3] && w[5]) || (w[0] && w[2] && w[4]);
   reg [3:0] edges;             // the first of AXIS_EDGES ... that separates
@@ -47,13 +50,25 @@ module sepax_decide (
   always @(*) begin
     edges = AXIS_NONE;
     for (k = 8; k >= 0; k = k - 1) begin
-      if (separates[k]) begin
+      if (separates@q@[k]) begin
         edges = AXIS_EDGES + k[3:0];
       end
     end
   end
 
-  assign coplanar = second || ({s, w, d} == 30'd0);
-  assign axis = coplanar ? (in_plane ? AXIS_PLANE : AXIS_NONE) :
-                normal_a ? AXIS_NORMAL_A : normal_b ? AXIS_NORMAL_B : edges;
+  assign coplanar = second || ({s, w, d} == 30'd0); //@ !chain
+//@ if chain
+  reg normal_a_q, normal_b_q, coplanar_q, in_plane_q;
+  assign coplanar = coplanar_q;
+
+  always @(posedge clk) begin
+    separates_q <= separates;
+    normal_a_q <= normal_a;
+    normal_b_q <= normal_b;
+    coplanar_q <= second || ({s, w, d} == 30'd0);
+    in_plane_q <= in_plane;
+  end
+//@ end
+  assign axis = coplanar ? (in_plane@q@ ? AXIS_PLANE : AXIS_NONE) :
+                normal_a@q@ ? AXIS_NORMAL_A : normal_b@q@ ? AXIS_NORMAL_B : edges;
 endmodule

@@ -27,12 +27,17 @@ module sepax_narrow (
   localparam N = @core_word@; // bits of a coordinate
   localparam LAST = @last_window@; // window of the verdict; a pair is in windows 0 ... LAST
   localparam JUDGED = @judged@; // window that it enters when its plane is known //@ passes
+//@ if fpga
+  localparam BEFORE = @before@; // window that it is in a cycle before that is used //@ passes
+//@ end
   localparam TAG = @tag@; // log2 of the entries of the reorder buffer
   localparam RESULT = @result@; // bits of a verdict
   localparam II = @ii@; //@ shared
 
   reg  [LAST:0]           valid_q;    // a pair is in window k
   reg  [(LAST+1)*TAG-1:0] tag_q;      // its entry in the reorder buffer
+  reg                     written_q;     // the verdict of this cycle is one //@ fpga
+  reg  [TAG-1:0]          tag_written_q; // its entry //@ fpga
   wire [TAG-1:0]          tail;
   wire [RESULT-1:0]       oldest;
   wire                    free, coplanar;
@@ -47,7 +52,9 @@ module sepax_narrow (
   //@ end
   reg  [JUDGED-1:0]       decided_q;  // the AABB test has decided it //@ aabb_test
   wire                    flat, separated, disjoint_x, disjoint_z;
-  wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@;
+  wire                    flat_soon; // flat of the cycle behind //@ fpga
+  wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@; //@ !fpga
+  reg  again; // the pair in window JUDGED - 1 enters once more //@ fpga
   wire disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
   wire in_plane = flat ? disjoint : separated; // it is separated if coplanar //@ at_once
   //@ end
@@ -87,8 +94,8 @@ module sepax_narrow (
 //@ if gated
       slot_q <= slot_next;
 //@ else
-      if (!last_slot || enter || (|valid_q)) begin //@ !fpga_engine
-      if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga_engine
+      if (!last_slot || enter || (|valid_q)) begin //@ !fpga
+      if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
 //@ end
@@ -101,6 +108,11 @@ module sepax_narrow (
         valid_q[JUDGED] <= valid_q[JUDGED-1] && !again; //@ judged_before
       end
     end
+    //@ if fpga
+    written_q <= !rst && valid_q[LAST]@at_verdict_slot@;
+    tag_written_q <= tag_q[LAST*TAG +: TAG];
+    again <= !rst && valid_q[BEFORE] && flat_soon && !second_q[BEFORE]@unless_decided@; //@ passes
+    //@ end
     if (@window_ends@) begin
       tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail; //@ passes
       tag_q[0 +: TAG] <= tail; //@ !passes
@@ -157,6 +169,7 @@ module sepax_narrow (
     //@ if limits
     .band(band),
     //@ else
+    .flat_soon(flat_soon), //@ fpga_passes
     .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x), //@ passes
     .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(@in_plane@), //@ passes
     .in_plane(1'b0), //@ !passes
@@ -167,7 +180,8 @@ module sepax_narrow (
   sepax_reorder reorder (
     .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
     .note(@note_in@), .oldest_note(out_note), //@ aabb_test
-    .write(valid_q[LAST]@at_verdict_slot@@unless_repeated@), .tag(tag_q[LAST*TAG +: TAG]),
+    .write(written_q), .tag(tag_written_q), //@ fpga
+    .write(valid_q[LAST]@at_verdict_slot@@unless_repeated@), .tag(tag_q[LAST*TAG +: TAG]), //@ !fpga
     .result({band, coplanar, axis}), //@ limits
     .result({coplanar, axis}), //@ !limits
     .valid(out_valid), .ready(out_ready), .oldest(oldest)

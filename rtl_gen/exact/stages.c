@@ -30,7 +30,18 @@ static void place_in_trapezoid(exact_plan *p, double sums, double period) {
                      .digits = f[SEPAX_X_SPAN].digits,
                      .less = 1};
   arith_plan_make(&s->trapezoid, &form, period);
-  if (p->delay->family) { /* registers are the multiplier's */
+  if (p->delay->family) {
+    /* Many units read a coordinate. The multiplier has its own registers, which are not beside the
+     * sums. Logic takes low bits, and the order in x, which is the sign of a sum. */
+    double behind = delay_mux(p->delay, 2);
+    if (s->trapezoid.cut.low_a + s->trapezoid.cut.low_b > 1) {
+      behind += delay_adder(p->delay, 2 * span);
+    }
+    if (!p->single) {
+      behind = fmax(behind, delay_test(p->delay, span));
+    }
+    behind += delay_operands(p->delay, p->design->core_word);
+    s->trapezoid_sums = sums + behind > period - delay_register(p->delay);
     return;
   }
   int latency = 1 + s->trapezoid.latency;

@@ -74,7 +74,9 @@ static void set_control(emit_holes *h, const exact_plan *p) {
   bool shared = c->ii > 1;
   emit_hole_numbers(h, (emit_number[]){{"ii", c->ii},
                                        {"shared", shared},
-                                       {"fpga_engine", engine_hurries_core(c)},
+                                       {"fpga", p->delay->family},
+                                       {"before", (p->plane_cycle - 1) / c->ii},
+                                       {"fpga_passes", p->delay->family && !p->single},
                                        {"last_window", p->verdict_cycle / c->ii},
                                        {"judged", (p->plane_cycle + 1) / c->ii},
                                        {"at_once", p->at_once},

@@ -42,6 +42,9 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"chain", p->delay->family},
                                        {"running", p->running},
                                        {"six", !s->zdiff_shared && !p->running},
+                                       {"running_biased", p->running && !p->own_running},
+                                       {"running_diffs", p->own_running},
+                                       {"coordinates", !s->zdiff_shared && !p->own_running},
                                        {"sums", s->trapezoid_sums},
                                        {"fetch_2d", s->fetch_2d},
                                        {"fetch_3d", s->fetch_3d},
@@ -58,6 +61,8 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {NULL, 0}});
   set_chained(h, p);
   emit_hole_set(h, "plus_bias", p->delay->family ? "" : " + BIAS");
+  emit_hole_set(h, "q", p->delay->family ? "_q" : "");
+  emit_hole_set(h, "band_latency", p->delay->family ? "Latency 1." : "Combinational.");
   emit_hole_set(h, "so_far", p->delay->family ? "0" : "BIAS");
 }
 
@@ -78,6 +83,9 @@ static void gen_trapezoid(emitter *e, const exact_plan *p, emit_holes *h, bool o
   set_product(h, order ? "sepax_trapezoid_ab" : "sepax_trapezoid", &p->stages.trapezoid,
               registers + p->stages.trapezoid_sums);
   emit_hole_set(h, "order", "%d", order);
+  bool of_sums = exact_order_latency(p) > 1;
+  emit_hole_set(h, "order_q", of_sums ? "_q" : "");
+  emit_hole_set(h, "order_clocks", of_sums ? "2 clocks later" : "1 clock later");
   emit_template(e, "sepax_trapezoid", h->hole);
 }
 

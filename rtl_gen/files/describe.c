@@ -146,7 +146,7 @@ static void describe_numbers(const sepax_design *d, bool verilog, bool own, emit
       {"FLAG", c->flag, true, C_ONLY},
       {"CONFERENCE", 1, c->arch == SEPAX_ARCH_CONFERENCE, MACRO},
       {"BOXES", 1, d->aabb_test, MACRO},
-      {"SKID", 1, c->registered_ready, MACRO},
+      {"SKID", 1, engine_registers_ready(c), MACRO},
       {"EXTENT_A", c->extent_a, is_shown(c, "extent-a"), C_ONLY},
       {"EXTENT_B", c->extent_b, is_shown(c, "extent-b"), C_ONLY},
       {"LANES", c->lanes, is_shown(c, "lanes"), C_ONLY},

@@ -101,7 +101,5 @@ static void generate(emitter *e, emit_holes *of_top, int pairs) {
 /* A queue that is read, and what is counted and compared of its output. */
 static double delay(const delay_model *m, int word) { return m->engine + delay_adder(m, word); }
 
-const engine_generator generator_object = {.generate = generate,
-                                           .registers = &object_engine_registers,
-                                           .hurries_core = true,
-                                           .delay = delay};
+const engine_generator generator_object = {
+    .generate = generate, .registers = &object_engine_registers, .delay = delay};

@@ -5,15 +5,17 @@
 //@ else
 // z sum of B: the sum of B's z less the sum of A's, since the origin of z is the mean of A's z.
 //@ end
-// One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running
+// One vertex of each triangle a cycle: z = so_far + z_b - z_a. Latency 1. //@ running_biased
+// One vertex of each triangle a cycle: z = so_far + diff. Latency 1. //@ running_diffs
 //@ if shared
 // Made of three z differences, which have brought a DIFF_BIAS of theirs each. @own_latency@
 //@ end
 // @own_latency@ //@ six
 module sepax_own_zsum #(
   parameter Z_W = @z_w@, // bits of a z difference //@ shared
+  parameter Z_W = @z_w@, // bits of a z difference //@ running_diffs
   parameter DIFF_DIGITS = @digits@, // radix-4 digits of a z difference //@ shared
-  parameter W = @w@, // bits of a coordinate //@ !shared
+  parameter W = @w@, // bits of a coordinate //@ coordinates
 //@ if biased
   parameter DIGITS = @own_digits@, // radix-4 digits of the z sum //@ !running
 //@ end
@@ -25,8 +27,9 @@ module sepax_own_zsum #(
 //@ end
 //@ if running
   input  wire signed [O_W-1:0] so_far, // @so_far@, or the sum that has no third vertices yet
-  input  wire signed [W-1:0]   z_a,    // coordinate
-  input  wire signed [W-1:0]   z_b,    // coordinate
+  input  wire signed [W-1:0]   z_a,    // coordinate //@ biased
+  input  wire signed [W-1:0]   z_b,    // coordinate //@ biased
+  input  wire signed [Z_W-1:0] diff,   // z of B's vertex less z of A's //@ !biased
 //@ end
 //@ if shared
   input  wire signed [Z_W-1:0] diff_1, // z of B_1 less z of A_1, + DIFF_BIAS
@@ -55,7 +58,8 @@ module sepax_own_zsum #(
   wire [O_W-1:0] term_1 = {{(O_W-Z_W+1){diff_1[Z_W-1]}}, diff_1[Z_W-2:0]};
   wire [O_W-1:0] term_2 = {{(O_W-Z_W+1){diff_2[Z_W-1]}}, diff_2[Z_W-2:0]};
   wire [O_W-1:0] term_3 = {{(O_W-Z_W+1){diff_3[Z_W-1]}}, diff_3[Z_W-2:0]};
-//@ else
+//@ end
+//@ if coordinates
   function [O_W-1:0] wide(input [W-1:0] coordinate);
     wide = {{(O_W-W){coordinate[W-1]}}, coordinate};
   endfunction
@@ -110,7 +114,7 @@ module sepax_own_zsum #(
 
   always @(posedge clk) begin //@ !gated
   always @(posedge clk) if (advance) begin //@ gated
-    z <= wide(z_b) + so_far - wide(z_a); //@ running
+    z <= {{(O_W-Z_W+1){diff[Z_W-1]}}, diff[Z_W-2:0]} + so_far; //@ running
     b_q <= wide(z_b1) + wide(z_b2) + wide(z_b3); //@ registered
     a_q <= wide(z_a1) + wide(z_a2) + wide(z_a3); //@ registered
     z <= @sum@; //@ six

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pair in one projection, from the signs {> 0, < 0} of its orient2d. Combinational. //@ !chain
-// The pair in one projection, from the signs {> 0, < 0} of its orient2d. Latency 1. //@ chain
+// The pair in one projection, from the signs {> 0, < 0} of its orient2d. Latency 2. //@ chain
+//   flat_soon   flat, a cycle before the others //@ chain
 //   flat        all six vertices are on one line there
 //   separated   an edge of one triangle has the other strictly on the side where its own third
 //               vertex is not
@@ -13,6 +14,7 @@ module sepax_projection (
   input  wire [17:0] x_order,    // sign of x of B_j less x of A_i: [2(3i + j) +: 2]
   input  wire [17:0] z_order,    // sign of z of B_j less z of A_i, likewise
 //@ if chain
+  output reg         flat_soon,  // flat of the cycle behind
   output reg         flat,       // all orient2d are zero
   output reg         separated,  // in this projection, unless it is flat
   output reg         disjoint_x, // all of B below or above all of A in x
@@ -26,6 +28,8 @@ module sepax_projection (
 );
   wire [8:0] a_above, a_below, b_above, b_below, x_above, x_below, z_above, z_below;
   wire [2:0] by_a, by_b; // edge i of A, edge j of B separates
+  reg  [2:0] by_a_q, by_b_q; //@ chain
+  reg  [1:0] x_q, z_q; //@ chain
 
   genvar i;
   generate
@@ -43,10 +47,14 @@ module sepax_projection (
 
 //@ if chain
   always @(posedge clk) begin
-    separated <= (by_a != 3'd0) || (by_b != 3'd0);
-    flat <= {g_own, g_a, g_b} == 40'd0;
-    disjoint_x <= (&x_above) || (&x_below);
-    disjoint_z <= (&z_above) || (&z_below);
+    {by_a_q, by_b_q} <= {by_a, by_b};
+    x_q <= {&x_above, &x_below};
+    z_q <= {&z_above, &z_below};
+    separated <= (by_a_q != 3'd0) || (by_b_q != 3'd0);
+    flat_soon <= {g_own, g_a, g_b} == 40'd0;
+    flat <= flat_soon;
+    disjoint_x <= x_q != 2'd0;
+    disjoint_z <= z_q != 2'd0;
   end
 //@ else
   assign separated = (by_a != 3'd0) || (by_b != 3'd0);

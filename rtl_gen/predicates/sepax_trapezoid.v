@@ -25,7 +25,7 @@ module @name@ #(
   output wire        [1:0]     order,  // {x_to > x_from, x_to < x_from} //@ order
   output wire signed [G_W-1:0] t       // trapezoid term
 //@ else
-  output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, 1 clock later //@ order
+  output reg         [1:0]     order,  // {x_to > x_from, x_to < x_from}, @order_clocks@ //@ order
   output reg  signed [G_W-1:0] t       // trapezoid term
 //@ end
 );
@@ -49,7 +49,7 @@ module @name@ #(
     run_q <= run; //@ sums
     height_q <= height; //@ sums
     t <= product;
-    order <= {!run[S_W-1] && (run != {S_W{1'b0}}), run[S_W-1]}; //@ order
+    order <= {!run@order_q@[S_W-1] && (run@order_q@ != {S_W{1'b0}}), run@order_q@[S_W-1]}; //@ order
   end
 //@ end
 endmodule

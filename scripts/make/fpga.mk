@@ -2,10 +2,10 @@
 # fpga.mk - the design DESIGN_NAME on the FPGAs of its TARGET: mapped, routed, its gates simulated.
 
 FPGA  = $(CORE)/fpga
-ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(PACKAGE:%=-%)$(PLACER:%=-%)$(PLACEMENTS:%=-%x)$(if \
-        $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
+ROUTE = $(FPGA)/route$(DEVICE:%=-%)$(GRADE:%=-g%)$(PACKAGE:%=-%)$(PLACER:%=-%)$(if \
+        $(PLACEMENTS),-$(PLACEMENTS)x)$(if $(SEEDS),-$(shell echo $(SEEDS) | tr ' ' _))
 
-ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(PACKAGE),-k $(PACKAGE)) \
+ROUTED = $(if $(DEVICE),-d $(DEVICE)) $(if $(GRADE),-g $(GRADE)) $(if $(PACKAGE),-k $(PACKAGE)) \
          $(if $(PLACER),-p $(PLACER)) $(if $(PLACEMENTS),-n $(PLACEMENTS)) \
          $(if $(SEEDS),-s "$(SEEDS)")
 

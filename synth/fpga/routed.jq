@@ -17,7 +17,8 @@ def total(f): map(select(f).delay) | add // 0 | rounded(1000);
   $mapped[0]
 | .design.tools.nextpnr = $nextpnr
 | .design |= . + {
-    part: ($part | sub("%s"; $device | ascii_upcase | sub("^(?<size>[0-9]+)K$"; "\(.size)F"))),
+    part: (($part | sub("%s"; $device | ascii_upcase | sub("^(?<size>[0-9]+)K$"; "\(.size)F")))
+      + (if $grade == "" then "" else ", grade \($grade)" end)),
     $device, $package, placer: (if $placer == "" then null else $placer end), $placements,
     seed: $best,
     seeds: [$reports[] | {seed, mhz: mhz}],

@@ -12,6 +12,7 @@
 //   LIMITS         two clearances: a band
 //   TESTED         there is an AABB test
 //   SKID           there is a skid buffer
+//   FPGA           a design for an FPGA: registers before a second pass and behind the verdict
 //   FRONT          places before sepax_narrow
 `default_nettype none
 
@@ -26,7 +27,13 @@ module sepax_core (
     input wire signed [`WORD-1:0] in_b2_x, in_b2_y, in_b2_z, in_b3_x, in_b3_y, in_b3_z,
 `ifdef JUDGED
     input wire again, second,
+`ifdef FPGA
+    output wire flat_soon,
+    output reg flat,
+    output wire separated, disjoint_x, disjoint_z,
+`else
     output wire flat, separated, disjoint_x, disjoint_z,
+`endif
 `endif
 `ifdef LIMITS
     output wire [1:0] band,
@@ -45,7 +52,12 @@ module sepax_core (
 `endif
 `ifdef JUDGED
   (* anyseq *) wire [3:0] any;
+`ifdef FPGA
+  assign {flat_soon, separated, disjoint_x, disjoint_z} = any;
+  always @(posedge clk) flat <= flat_soon;
+`else
   assign {flat, separated, disjoint_x, disjoint_z} = any;
+`endif
   wire [1:0] enters = again ? mark_q[2*`JUDGED-2 +: 2] : mark;
 `else
   wire [1:0] enters = mark;
@@ -56,7 +68,13 @@ module sepax_core (
 `endif
   (* anyseq *) wire any_coplanar;
   assign coplanar = any_coplanar;
+`ifdef FPGA
+  reg [1:0] judged_q; // mark of the verdict
+  always @(posedge clk) judged_q <= mark_q[2*`LAST +: 2];
+  assign axis = {2'd0, judged_q};
+`else
   assign axis = {2'd0, mark_q[2*`LAST +: 2]};
+`endif
   always @(posedge clk) if (ends) mark_q <= {mark_q[2*`LAST-1:0], enters};
 endmodule
 
@@ -65,7 +83,13 @@ module tokens (
     input wire [1:0] mark, // of the pair that is offered: 1 the first, 2 the second, or 0
     input wire disjoint       // its AABBs are disjoint
 );
-  localparam W = `WORD, ENTRIES = 1 << `TAG, LONGEST = `II * (`LAST + 1 + `FIRST_PASS) + 1;
+`ifdef FPGA
+  localparam BEHIND = 1; // registers behind the verdict
+`else
+  localparam BEHIND = 0;
+`endif
+  localparam W = `WORD, ENTRIES = 1 << `TAG;
+  localparam LONGEST = `II * (`LAST + 1 + `FIRST_PASS) + 1 + BEHIND;
   localparam BOUND = LONGEST + ENTRIES; // cycles behind the front
   wire in_ready, out_valid, out_collision, out_coplanar;
   wire [3:0] out_axis;
@@ -156,6 +180,19 @@ module tokens (
 `else
   wire skid_valid = 1'b0;
   wire [2:0] skid = 3'd0;
+`endif
+
+`ifdef FPGA
+  (* hierconn *) wire \dut.narrow.written_q ;
+  (* hierconn *) wire [`TAG-1:0] \dut.narrow.tag_written_q ;
+  (* hierconn *) wire [1:0] \dut.narrow.core.judged_q ;
+  wire written = \dut.narrow.written_q ;
+  wire [`TAG-1:0] tag_written = \dut.narrow.tag_written_q ;
+  wire [1:0] mark_written = \dut.narrow.core.judged_q ;
+`else
+  wire written = 1'b0;
+  wire [`TAG-1:0] tag_written = {`TAG{1'b0}};
+  wire [1:0] mark_written = 2'd0;
 `endif
 
   reg begun = 1'b0;
@@ -250,6 +287,17 @@ module tokens (
 `ifdef SHARED
       assert (slot != 0 && (slot & (slot - 1'b1)) == 0);
 `endif
+`ifdef FPGA
+`ifdef JUDGED
+      if (slot[`II-1]) begin
+        assert (again == (valid[`JUDGED-1] && flat && !second[`JUDGED-1]
+`ifdef TESTED
+                          && !\dut.narrow.decided_q [`JUDGED-1]
+`endif
+                          ));
+      end
+`endif
+`endif
       number = 8'd1;
       for (k = 0; k < `II; k = k + 1) if (slot[k]) number = number + k;
       assert (shut < number);
@@ -273,6 +321,12 @@ module tokens (
 `endif
 `endif
           end
+        end
+        if (written && tag_written == e[`TAG-1:0]) begin
+          windows = windows + 8'd1;
+          since = `LAST + (was_flat[e] ? `FIRST_PASS : 0);
+          assert (old == since * `II + `SLOT + 8'd2);
+          assert (mark_written == (note[e] ? 2'd0 : marked));
         end
         assert (windows + {7'd0, done[e]} == {7'd0, {1'b0, at} < count});
         if ({1'b0, at} < count) begin

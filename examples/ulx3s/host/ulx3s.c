@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* ulx3s.c - two STL files on the engine of a ULX3S: the pairs of triangles that collide.
+/* ulx3s.c - two STL files on the engine of a board: the pairs of triangles that collide.
  *   ulx3s [--port=/dev/ttyUSB0] [--baud=3000000] [--resolution=LENGTH] [--check] A.stl B.stl
  * --check compares every pair in its order, all counts and the cycles with the golden model. Exit
  * status: 0 none collides, 1 some do, 2 an error, 3 the board and the golden model differ. */
@@ -12,6 +12,10 @@
 #include <stdlib.h>
 #include <time.h>
 
+#ifndef BOARD_NAME /* of the program */
+#define BOARD_NAME "ulx3s"
+#define BOARD_PORT "/dev/ttyUSB0"
+#endif
 #ifndef BOARD_RESULTS
 #define BOARD_RESULTS 12 /* log2 of the results that wait without holding up a run */
 #endif
@@ -70,7 +74,7 @@ static error_t parse(int key, char *text, struct argp_state *state) {
 }
 
 static int error_of(const char *what, const char *why) {
-  fprintf(stderr, "ulx3s: %s%s%s\n", what, why[0] != '\0' ? ": " : "", why);
+  fprintf(stderr, BOARD_NAME ": %s%s%s\n", what, why[0] != '\0' ? ": " : "", why);
   return 2;
 }
 
@@ -84,7 +88,7 @@ static bool print(void *context, const sepax_hit *hit) {
   if (golden != NULL) {
     const size_t *pair = p->seen < golden->found.count ? golden->found.pair[p->seen] : NULL;
     if (!p->differs && (pair == NULL || pair[0] != hit->a || pair[1] != hit->b)) {
-      fprintf(stderr, "ulx3s: pair %zu is %zu %zu, by the golden model %s\n", p->seen, hit->a,
+      fprintf(stderr, BOARD_NAME ": pair %zu is %zu %zu, by the golden model %s\n", p->seen, hit->a,
               hit->b, pair == NULL ? "there is none" : "another");
       p->differs = true;
     }
@@ -95,8 +99,8 @@ static bool print(void *context, const sepax_hit *hit) {
 
 static void compare(progress *p, const char *what, uint64_t got, uint64_t golden) {
   if (got != golden) {
-    fprintf(stderr, "ulx3s: %s: %llu, by the golden model %llu\n", what, (unsigned long long)got,
-            (unsigned long long)golden);
+    fprintf(stderr, BOARD_NAME ": %s: %llu, by the golden model %llu\n", what,
+            (unsigned long long)got, (unsigned long long)golden);
     p->differs = true;
   }
 }
@@ -172,9 +176,10 @@ static int run_board(board *b, const settings *s, const sepax_scene *scene, prog
     return error_of(sepax_status_text(status), board_error(b));
   }
   fprintf(stderr,
-          "ulx3s: %zu x %zu triangles: %llu pairs, %llu to the core, %llu collide\n"
-          "ulx3s: %llu cycles at %g MHz = %.4f ms; %.0f ms with the serial line\n"
-          "ulx3s: %llu bytes to the board, %llu back; at %lu baud the line takes %.0f ms\n",
+          BOARD_NAME
+          ": %zu x %zu triangles: %llu pairs, %llu to the core, %llu collide\n" BOARD_NAME
+          ": %llu cycles at %g MHz = %.4f ms; %.0f ms with the serial line\n" BOARD_NAME
+          ": %llu bytes to the board, %llu back; at %lu baud the line takes %.0f ms\n",
           scene->count[0], scene->count[1], (unsigned long long)counts.pairs,
           (unsigned long long)counts.candidates, (unsigned long long)counts.collisions,
           (unsigned long long)counts.cycles, 1e-6 * b->clock_hz,
@@ -182,14 +187,15 @@ static int run_board(board *b, const settings *s, const sepax_scene *scene, prog
           (unsigned long long)b->came, s->baud, 1e4 * (double)b->sent / (double)s->baud);
   if (p->golden != NULL) {
     compare_counts(p, &counts);
-    fprintf(stderr, "ulx3s: %s\n", p->differs ? "the golden model differs" : "as the golden model");
+    fprintf(stderr, BOARD_NAME ": %s\n",
+            p->differs ? "the golden model differs" : "as the golden model");
   }
   return p->differs ? 3 : counts.collisions > 0;
 }
 
 int main(int argc, char **argv) {
   static const struct argp_option options[] = {
-      {"port", 'p', "PATH", 0, "the board's serial line (/dev/ttyUSB0)", 0},
+      {"port", 'p', "PATH", 0, "the board's serial line (" BOARD_PORT ")", 0},
       {"baud", 'b', "RATE", 0, "its rate, that of the bitstream (3000000)", 0},
       {"resolution", 'r', "LENGTH", 0, "length of one LSB (the finest that holds both)", 0},
       {"check", 'c', NULL, 0, "compare all with the golden model", 0},
@@ -198,11 +204,11 @@ int main(int argc, char **argv) {
                                    parse,
                                    "A.stl B.stl",
                                    "Print the pairs of triangles that collide, found by the engine "
-                                   "of a ULX3S.",
+                                   "of a board.",
                                    NULL,
                                    NULL,
                                    NULL};
-  settings s = {.port = "/dev/ttyUSB0", .baud = 3000000};
+  settings s = {.port = BOARD_PORT, .baud = 3000000};
   argp_parse(&argp, argc, argv, 0, NULL, &s);
   sepax_error error = {0};
   sepax_scene scene;

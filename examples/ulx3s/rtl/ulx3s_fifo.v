@@ -21,6 +21,8 @@ module ulx3s_fifo #(
 );
   localparam [ADDRESS:0] ONE = 1;
   localparam [ADDRESS:0] ALL = 1 << ADDRESS;
+  // No word is read while it is written.
+  (* no_rw_check *)
   reg  [WIDTH-1:0]   word_q [0:(1<<ADDRESS)-1];
   reg  [ADDRESS-1:0] head_q, tail_q;
   reg  [ADDRESS:0]   count_q; // words in the memory, without the one at the output

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// board.cpp - the verilated top of the ULX3S behind a pseudo-terminal, in place of the FT231X:
-// bytes that a program writes to the terminal go bit by bit to ftdi_txd, and back from ftdi_rxd.
+// board.cpp - the verilated top of a board behind a pseudo-terminal, in place of its USB bridge:
+// bytes that a program writes to the terminal go bit by bit to the serial line, and back. The
+// board's ports.h names its pins.
 //   board [--damage=N] [--lose=N]   the highest bit of byte N that comes, from 0, is turned over;
 //                                   N bytes are lost, from byte 4000 on
 // The first line that it prints is the path of the terminal. It runs until it is ended by a signal
 // or a program closes the terminal.
-#include "Vulx3s_top.h"
+#include <ports.h> // of the board
 #include "verilated.h"
 
 #include <cerrno>
@@ -113,25 +114,25 @@ bool hear(int terminal, int ms, Sender *sender, Faults *faults) {
 int serve(int terminal, Faults *faults) {
   VerilatedContext context;
   context.randReset(2);
-  std::unique_ptr<Vulx3s_top> top(new Vulx3s_top(&context));
+  std::unique_ptr<Top> top(new Top(&context));
   Sender sender;
   Listener listener;
   const int idle_cycles = 100000; // then it waits for bytes in between
   long idle = 0;
-  top->btn = 1;
-  top->clk_25mhz = 0;
-  top->ftdi_txd = 1;
+  release_buttons(*top);
+  clock_of(*top) = 0;
+  to_board(*top) = 1;
   for (long cycle = 0; !context.gotFinish(); cycle++) {
     if (cycle % 64 == 0 && !hear(terminal, idle > idle_cycles ? 1 : 0, &sender, faults)) {
       break;
     }
     idle = sender.busy() || listener.bits > 0 ? 0 : idle + 1;
-    top->ftdi_txd = sender.tick();
-    top->clk_25mhz = 1;
+    to_board(*top) = sender.tick();
+    clock_of(*top) = 1;
     top->eval();
-    top->clk_25mhz = 0;
+    clock_of(*top) = 0;
     top->eval();
-    int heard = cycle < 100 ? -1 : listener.tick(top->ftdi_rxd != 0);
+    int heard = cycle < 100 ? -1 : listener.tick(from_board(*top));
     if (heard == -2) {
       std::fprintf(stderr, "board: a byte without a stop bit\n");
       return 1;
