@@ -82,14 +82,15 @@ def extension(name, root, with_libraries):
         ["-lm", "-pthread"])
 
 
-def setup(name, root=".", with_libraries=False, **more):
+def setup(name, root=".", with_libraries=False, commands=None, **more):
     """Call setuptools for the package `name`, whose extension is _core."""
     objects = os.environ.get("SEPAX_OBJECTS") or os.path.join(root, "build/python/objects")
     options = {"build": {"build_base": os.path.join(objects, name)}}
     if is_stable():
         options["bdist_wheel"] = {"py_limited_api": f"cp{STABLE[0]}{STABLE[1]}"}
     package = more["packages"][0]
-    setuptools.setup(version=version(root), cmdclass={"build_ext": BuildExt}, options=options,
+    setuptools.setup(version=version(root), cmdclass={"build_ext": BuildExt, **(commands or {})},
+                     options=options,
                      ext_modules=[extension(f"{package}._core", root, with_libraries)],
                      package_data={package: ["py.typed", "*.pyi", "bin/*"]}, zip_safe=False,
                      **more)

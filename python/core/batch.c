@@ -40,13 +40,13 @@ static bool inside_of(const questions *q, const places *p, unsigned char *verdic
   if (q->shell[0] == NULL) {
     return true;
   }
-  sepax_inside within[2];
-  if (!sepax_bodies_within(q->shell[0], p->pose[0], q->shell[1], p->pose[1], within, error)) {
+  sepax_inside found[2];
+  if (!sepax_bodies_within(q->shell[0], p->pose[0], q->shell[1], p->pose[1], found, error)) {
     return false;
   }
-  if (within[0] == SEPAX_INSIDE || within[1] == SEPAX_INSIDE) {
-    *verdict = within[0] == SEPAX_INSIDE ? A_INSIDE : B_INSIDE;
-  } else if (within[0] != SEPAX_OUTSIDE || within[1] != SEPAX_OUTSIDE) {
+  if (found[0] == SEPAX_INSIDE || found[1] == SEPAX_INSIDE) {
+    *verdict = found[0] == SEPAX_INSIDE ? A_INSIDE : B_INSIDE;
+  } else if (found[0] != SEPAX_OUTSIDE || found[1] != SEPAX_OUTSIDE) {
     *verdict = UNDECIDED;
   }
   return true;

@@ -191,7 +191,7 @@ static PyObject *poses_nearest(PyObject *self, PyObject *matrices) {
   bool ok = core_take(&array, matrices, "poses", sizeof(double[16]), true);
   for (size_t n = 0; n < array.count && ok; n++) {
     double *m = (double *)array.view.buf + 16 * n;
-    sepax_pose pose;
+    sepax_pose pose = {0};
     double moved;
     for (size_t i = 0; i < 3; i++) {
       memcpy(pose.rotation[i], m + 4 * i, sizeof pose.rotation[i]);

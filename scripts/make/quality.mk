@@ -9,12 +9,14 @@ C_SRC   = $(LIB_SRC) $(CLI_SRC) $(filter-out $(OF_TREE), \
           examples/ulx3s/host/*.c examples/soc/host/*.c \
           examples/five-axis/*.c))
 PATH_OF = $(INCLUDES) -Idrivers/object_engine -Idrivers/tree_engine -I$(BUILD)/static/$(1)
-analyse = $(CPPCHECK) --quiet --error-exitcode=1 \
-          --enable=warning,style,performance,portability --inline-suppr \
-          --suppress=missingIncludeSystem --std=c11 $(call PATH_OF,$(1)) $(2) && \
-          printf '%s\n' $(2) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
-          -- -std=c11 -D_POSIX_C_SOURCE=200809L $(call PATH_OF,$(1)) $(XML_CFLAGS) \
-          -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
+CPPCHECKED = --quiet --error-exitcode=1 --enable=warning,style,performance,portability \
+             --inline-suppr --suppress=missingIncludeSystem --std=c11
+tidied  = printf '%s\n' $(1) | xargs -P 2 -I {} $(CLANG_TIDY) --quiet --warnings-as-errors="*" {} \
+          -- -std=c11 -D_POSIX_C_SOURCE=200809L
+FOLLOWED = -Xclang -analyzer-config -Xclang max-nodes=$(NODES)
+analyse = $(CPPCHECK) $(CPPCHECKED) $(call PATH_OF,$(1)) $(2) && \
+          $(call tidied,$(2)) $(call PATH_OF,$(1)) $(XML_CFLAGS) $(FOLLOWED)
+PYTHON_CORE = $(wildcard python/core/*.c)
 
 # How far clang-tidy follows the paths of one function: its own default; less far in `make test`.
 NODES ?= 225000
@@ -26,6 +28,10 @@ experiment-static: $(SEPAX)
 	@$(GEN) --tree -o $(BUILD)/static/tree > /dev/null
 	@$(call analyse,engine,$(C_SRC))
 	@$(call analyse,tree,$(OF_TREE))
+	@$(CPPCHECK) --library=python $(CPPCHECKED) -Ilib -Iio $(PYTHON_CORE)
+	@python=$$($(PYTHON) -c "import sysconfig; print(sysconfig.get_path('include'))") && \
+	if [ -e "$$python/Python.h" ]; then \
+	  $(call tidied,$(PYTHON_CORE)) -Ilib -Iio -isystem "$$python" $(FOLLOWED); fi
 
 # Programs of the C code with the sanitizers of the compiler. The tests sanitize/... of tb/tests run
 # them.
