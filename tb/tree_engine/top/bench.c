@@ -3,15 +3,17 @@
  *   tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] [--budget=N]
  *               [--wave=FILE] A B POSES
  *   tree-engine [--stress=SEED] [--rounds=N] [--wave=FILE]
+ *   tree-engine [--stress=SEED] --sound=N
  *   tree-engine --fuzz=N
  *   tree-engine --scene=N
  *   tree-engine [--stress=SEED] [--latency=N] --jobs=FILE
  * The first: the bodies A and B, STL or files of `sepax tree`, in the poses of a file, 12 numbers a
  * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job
  * (docs/reference/tree-engine.md; 16: cold caches at each pose). The second: N rounds of seeded
- * bodies, poses and modes; then damage. The third: N batches of small bodies, of which any bytes
- * are damaged. The fourth: six bodies in N poses along a path (scene.c). The fifth: a list of sepax
- * path --jobs (list.c). Words with + are for the design. Exit status 1: a fault. */
+ * bodies, poses and modes; then damage. The third: these rounds without damage and all that
+ * follows. The fourth: N batches of small bodies, of which any bytes are damaged. The fifth: six
+ * bodies in N poses along a path (scene.c). The sixth: a list of sepax path --jobs (list.c). Words
+ * with + are for the design. Exit status 1: a fault. */
 #include "bench.h"
 
 #include <math.h>
@@ -377,7 +379,7 @@ void bench_run(bench_batch *b) {
 
 typedef struct {
   const char *path[3], *wave, *jobs;
-  unsigned long long stress, rounds, latency, modes, budget, fuzz, scene;
+  unsigned long long stress, rounds, latency, modes, budget, fuzz, sound, scene;
   double resolution;
   int paths;
 } command;
@@ -397,7 +399,8 @@ static void parse(command *c, const char *text) {
   if (number_after(text, "--stress=", &c->stress) || number_after(text, "--rounds=", &c->rounds) ||
       number_after(text, "--latency=", &c->latency) || number_after(text, "--modes=", &c->modes) ||
       number_after(text, "--budget=", &c->budget) || number_after(text, "--fuzz=", &c->fuzz) ||
-      number_after(text, "--scene=", &c->scene) || text[0] == '+') {
+      number_after(text, "--sound=", &c->sound) || number_after(text, "--scene=", &c->scene) ||
+      text[0] == '+') {
     return;
   }
   if (strncmp(text, "--resolution=", 13) == 0) {
@@ -409,10 +412,11 @@ static void parse(command *c, const char *text) {
   } else if (strncmp(text, "--jobs=", 7) == 0) {
     c->jobs = text + 7;
   } else {
-    stop_on(text[0] == '-' || c->paths == 3,
-            "usage: tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] "
-            "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N], --fuzz=N, --scene=N, "
-            "--jobs=FILE");
+    stop_on(
+        text[0] == '-' || c->paths == 3,
+        "usage: tree-engine [--stress=SEED] [--latency=N] [--resolution=LENGTH] [--modes=N] "
+        "[--budget=N] A B POSES, or [--stress=SEED] [--rounds=N] [--sound=N], --fuzz=N, --scene=N, "
+        "--jobs=FILE");
     c->path[c->paths++] = text;
   }
 }
@@ -446,6 +450,8 @@ int main(int argc, char **argv) {
     bench_scene((size_t)c.scene);
   } else if (c.fuzz > 0) {
     bench_fuzz(c.fuzz, c.stress);
+  } else if (c.sound > 0) {
+    bench_sound(c.sound, c.stress, c.stress > 0);
   } else {
     bench_rounds(c.rounds, c.stress, c.stress > 0);
   }

@@ -74,6 +74,9 @@ void reads_check(const bench_reads *of, uint64_t list, uint32_t jobs, uint64_t b
 /* Seeded bodies, poses, modes; then damage, errors, resets, refusals. */
 void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 
+/* Seeded bodies, poses and modes alone. */
+void bench_sound(unsigned long long rounds, uint64_t seed, bool stressed);
+
 /* Small bodies, of which, as of jobs and poses, any bytes are damaged. */
 void bench_fuzz(unsigned long long batches, uint64_t seed);
 

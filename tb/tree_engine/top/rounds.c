@@ -441,6 +441,15 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed) {
          (unsigned long long)bus_beats(), (unsigned long long)bus_cycles(), wrong);
 }
 
+void bench_sound(unsigned long long rounds, uint64_t seed, bool stressed) {
+  rng.state = 1 + seed;
+  bench_batch sum = {.list = 0};
+  for (unsigned long long n = 0; n < rounds && wrong == 0; n++) {
+    round_of(&sum, stressed, seed + n, n % 3 == 1);
+  }
+  tell("sound", &sum);
+}
+
 void bench_fuzz(unsigned long long batches, uint64_t seed) {
   rng.state = 1 + seed;
   jobs_most = 1;
