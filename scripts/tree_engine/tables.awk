@@ -57,7 +57,7 @@ function row(first, key) {
     hits[key] ? grouped(hit_worst[key]) : "-", grouped(near[key])
 }
 
-BEGIN { between = 40 } # cycles from a pose of a batch to the next
+BEGIN { between = 3 } # cycles from a pose of a batch to the next
 FNR == 1 { file++; next }
 file == 1 {
   key = $1 "," $2 "," $3 "," $4 "," $5

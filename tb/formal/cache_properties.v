@@ -27,7 +27,12 @@ module moving_properties (
     input wire [3:0] in_a, in_b
 );
   wire in_ready, out_valid, miss_valid, miss_is_b;
-  sepax_cache #(.ADDRESS(4), .INFO(1), .SETS(1), .WINDOW(1)) dut (
+`ifdef QUICK
+  localparam QUICK = 1;
+`else
+  localparam QUICK = 0;
+`endif
+  sepax_cache #(.ADDRESS(4), .INFO(1), .QUICK(QUICK), .SETS(1), .WINDOW(1)) dut (
       .clk(clk), .rst(rst), .start(1'b0), .cold(1'b0), .drop(1'b0), .in_valid(in_valid),
       .in_ready(in_ready), .in_a(in_a), .in_b(in_b), .in_info(1'b0), .out_valid(out_valid),
       .out_ready(out_ready), .done(done), .miss_valid(miss_valid), .miss_ready(miss_ready),
@@ -39,7 +44,8 @@ module moving_properties (
   (* hierconn *) wire \dut.error_a_q , \dut.error_b_q ;
   (* hierconn *) wire \dut.pairs.valid , \dut.pairs.read , \dut.is_here ;
   (* hierconn *) wire [12:0] \dut.pairs.words.word_0 , \dut.pairs.words.word_1 ;
-  (* hierconn *) wire [12:0] \dut.pairs.words.read_data ;
+  (* hierconn *) wire [12:0] \dut.pairs.out ;
+  (* hierconn *) wire [1:0] \dut.waiting_q ;
   (* hierconn *) wire [1:0] \dut.tags_a.state_q , \dut.tags_b.state_q ;
   (* hierconn *) wire \dut.tags_a.forget_q , \dut.tags_b.forget_q ;
   (* hierconn *) wire [3:0] \dut.tags_a.pinned_q , \dut.tags_b.pinned_q ;
@@ -54,14 +60,14 @@ module moving_properties (
       .clk(clk), .rst(rst), .asked(\dut.asked_a_q ), .filled(\dut.filled_a_q ),
       .fill(filled && !filled_is_b), .ask(miss_valid && miss_ready && !miss_is_b), .take(in_ready),
       .shown(shown), .behind(behind), .first(\dut.pairs.head_q [0]),
-      .out(\dut.pairs.words.read_data [5:3]), .word_0(\dut.pairs.words.word_0 [5:3]),
+      .out(\dut.pairs.out [5:3]), .word_0(\dut.pairs.words.word_0 [5:3]),
       .word_1(\dut.pairs.words.word_1 [5:3]), .state(\dut.tags_a.state_q ),
       .pinned(\dut.tags_a.pinned_q ), .used(used));
   side_properties b (
       .clk(clk), .rst(rst), .asked(\dut.asked_b_q ), .filled(\dut.filled_b_q ),
       .fill(filled && filled_is_b), .ask(miss_valid && miss_ready && miss_is_b), .take(in_ready),
       .shown(shown), .behind(behind), .first(\dut.pairs.head_q [0]),
-      .out(\dut.pairs.words.read_data [2:0]), .word_0(\dut.pairs.words.word_0 [2:0]),
+      .out(\dut.pairs.out [2:0]), .word_0(\dut.pairs.words.word_0 [2:0]),
       .word_1(\dut.pairs.words.word_1 [2:0]), .state(\dut.tags_b.state_q ),
       .pinned(\dut.tags_b.pinned_q ), .used(used));
   wire open = \dut.asked_a_q != \dut.filled_a_q || \dut.asked_b_q != \dut.filled_b_q ;
@@ -91,6 +97,7 @@ module moving_properties (
     assume (!done || held != 4'd0);
     if (begun) begin
       assert (used == held + {2'd0, waiting} && held <= 4'd2 && used <= 4'd2 && behind <= 2'd2);
+      assert (\dut.waiting_q == waiting);
       assert (!out_valid || (shown && \dut.is_here ));
       assert (!\dut.error_a_q && !\dut.error_b_q );
       assert (asking || (\dut.tags_a.state_q == READ && \dut.tags_b.state_q == READ));

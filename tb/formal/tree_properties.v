@@ -212,7 +212,12 @@ module cache_properties (
   wire [2:0] in_number;
   wire [2:0] out_number;
   reg [2:0] given = 3'd0, taken = 3'd0, released = 3'd0; // pairs
-  sepax_cache #(.ADDRESS(4), .INFO(3), .SETS(1), .WINDOW(1)) dut (
+`ifdef QUICK
+  localparam QUICK = 1;
+`else
+  localparam QUICK = 0;
+`endif
+  sepax_cache #(.ADDRESS(4), .INFO(3), .QUICK(QUICK), .SETS(1), .WINDOW(1)) dut (
       .clk(clk), .rst(rst), .start(1'b0), .cold(1'b0), .drop(1'b0), .in_valid(in_valid),
       .in_ready(in_ready), .in_a(in_a), .in_b(in_b), .in_info(given), .out_valid(out_valid),
       .out_ready(out_ready), .out_info(out_number), .out_error(out_error), .done(done),
@@ -224,6 +229,8 @@ module cache_properties (
   reg asked = 1'b0, failed = 1'b0;   // the watched pair's block is asked for; came with an error
   reg come = 1'b0;
   reg [3:0] left;                    // blocks until its own
+  reg broken = 1'b0;                 // a block of the side has come with an error
+  reg [2:0] since;                   // number of the first pair that is looked up after it
   wire ask = miss_valid && miss_ready && miss_is_b == side;
   wire fill = filled && filled_is_b == side;
   reg begun = 1'b0;
@@ -252,8 +259,13 @@ module cache_properties (
           failed <= filled_error;
         end
       end
+      if (fill && filled_error && !broken) begin
+        broken <= 1'b1;
+        since <= given;
+      end
       assert (given - released <= 3'd2);
       if (out_valid) begin
+        if (broken && taken >= since) assert (out_error);
         assert (taken != given);
         assert (out_number == taken);
         if (taken == watched && asked && !out_error) assert (come && !failed);

@@ -7,7 +7,7 @@
 module sepax_cache #(
   parameter ADDRESS = 33, // bits of a block's address
   parameter INFO = 32,    // bits that go with a pair
-  parameter QUICK = 0,    // a pair whose blocks are here comes out a cycle earlier
+  parameter QUICK = 0,    // a pair whose blocks are here comes out two cycles earlier
   parameter SETS = 4,     // log2 of the sets of 4 ways a body
   parameter WINDOW = 5    // log2 of the most pairs between in and release
 ) (
@@ -46,6 +46,7 @@ module sepax_cache #(
   reg  [COUNT-1:0]  filled_a_q, filled_b_q; // blocks that have come
   reg               error_a_q, error_b_q;   // a block came with an error
   reg  [COUNT-1:0]  good_a_q, good_b_q;     // number of blocks that came before the first error
+  reg  [WINDOW:0]   waiting_q;              // pairs that have not come out
   wire [COUNT-1:0]  asked_a, asked_b, wait_a, wait_b;
   wire              found_a, found_b, miss_a, miss_b, waiting;
   wire [SETS+1:0]   slot_a, slot_b;
@@ -60,6 +61,12 @@ module sepax_cache #(
   wire [COUNT-1:0]  lack_b = good_b_q - wait_b;
   wire              is_here = !over_a[COUNT-1] && !over_b[COUNT-1];
   wire              is_error = (error_a_q && lack_a[COUNT-1]) || (error_b_q && lack_b[COUNT-1]);
+
+  // If no block is on its way, then the pair at the FIFO's output in the next cycle is here.
+  wire              all_here = (asked_a_q == filled_a_q) && (asked_b_q == filled_b_q) &&
+                               !error_a_q && !error_b_q;
+  wire              comes = (in_ready && !miss_valid) || (take && (|waiting_q[WINDOW:1]));
+  wire              quick = QUICK[0] && all_here && comes;
 
   assign in_ready = found_a && found_b && !used_q[WINDOW];
   assign asked_a = asked_a_q + {{(COUNT-1){1'b0}}, miss_a && miss_ready};
@@ -105,8 +112,10 @@ module sepax_cache #(
     if (clear) begin
       out_valid <= 1'b0;
       used_q <= {NUMBER{1'b0}};
+      waiting_q <= {(WINDOW+1){1'b0}};
     end else begin
-      out_valid <= waiting && (is_here || is_error) && !take;
+      out_valid <= quick || (waiting && (is_here || is_error) && !take);
+      waiting_q <= waiting_q + {{WINDOW{1'b0}}, in_ready} - {{WINDOW{1'b0}}, take};
       used_q <= used_q + {{(NUMBER-1){1'b0}}, in_ready} - {{(NUMBER-1){1'b0}}, done};
     end
     out_error <= is_error;
