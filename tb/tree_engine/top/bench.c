@@ -5,15 +5,15 @@
  *   tree-engine [--stress=SEED] [--rounds=N] [--wave=FILE]
  *   tree-engine [--stress=SEED] --sound=N
  *   tree-engine --fuzz=N
- *   tree-engine --scene=N
+ *   tree-engine [--stress=SEED] --scene=N
  *   tree-engine [--stress=SEED] [--latency=N] --jobs=FILE
  * The first: the bodies A and B, STL or files of `sepax tree`, in the poses of a file, 12 numbers a
  * line; a line a pose: cycles, near pairs, collisions. Modes are those of a job
  * (docs/reference/tree-engine.md; 16: cold caches at each pose). The second: N rounds of seeded
  * bodies, poses and modes; then damage. The third: these rounds without damage and all that
  * follows. The fourth: N batches of small bodies, of which any bytes are damaged. The fifth: six
- * bodies in N poses along a path (scene.c). The sixth: a list of sepax path --jobs (list.c). Words
- * with + are for the design. Exit status 1: a fault. */
+ * bodies in N poses along a path (scene.c); with --stress, in trouble (troubles.c). The sixth: a
+ * list of sepax path --jobs (list.c). Words with + are for the design. Exit status 1: a fault. */
 #include "bench.h"
 
 #include <math.h>
@@ -447,7 +447,7 @@ int main(int argc, char **argv) {
   } else if (c.paths == 3) {
     bench_meshes(c.path, c.resolution, (unsigned)c.modes, (unsigned)c.budget, &options);
   } else if (c.scene > 0) {
-    bench_scene((size_t)c.scene);
+    bench_scene((size_t)c.scene, c.stress);
   } else if (c.fuzz > 0) {
     bench_fuzz(c.fuzz, c.stress);
   } else if (c.sound > 0) {

@@ -87,7 +87,12 @@ void bench_meshes(const char *const path[3], double resolution, unsigned modes, 
 /* A list of jobs in a file. */
 void bench_list(const char *path, const memory_options *options);
 
-/* Spindle, holder and tool against table, fixture and workpiece, in poses along a path. */
-void bench_scene(size_t poses);
+/* Spindle, holder and tool against table, fixture and workpiece, in poses along a path; with
+ * a seed, in trouble. */
+void bench_scene(size_t poses, uint64_t seed);
+
+/* A list of jobs of so many poses each, again and again: under stress, left, stopped, with errors
+ * of the memory, with damaged nodes, with poses that are refused. */
+void bench_troubles(const bench_batch *batch, size_t poses, uint64_t seed);
 
 #endif

@@ -184,7 +184,7 @@ static void with_memories(const bench_batch *batch, size_t poses, scene_sum *sum
   }
 }
 
-void bench_scene(size_t poses) {
+void bench_scene(size_t poses, uint64_t seed) {
   scene_sum sum = {0};
   stop_on(poses > 1000000, "--scene is 1 ... 1000000 poses");
   bench_clear();
@@ -193,6 +193,10 @@ void bench_scene(size_t poses) {
       .list = pairs.list + SEPAX_TREE_JOB_BYTES * (PAIRS - 1), .jobs = 1, .stop_at = -1};
   bench_batch wall = {.list = pairs.list + SEPAX_TREE_JOB_BYTES * PAIRS, .jobs = 1, .stop_at = -1};
   printf("%d pairs of bodies, %zu poses, first collision of each; 500 MHz\n", PAIRS, poses);
+  if (seed > 0) {
+    bench_troubles(&pairs, poses, seed);
+    return;
+  }
   with_memories(&pairs, poses, &sum);
   printf("%s and %s alone\n", parts[BODIES - 1].name, parts[STAND - 1].name);
   with_memories(&alone, poses, &sum);
