@@ -61,6 +61,15 @@ def reader() -> str:
     return f"{variable('BUILD', f'{SYNTH}/../build')}/liberty"
 
 
+def other_corners(liberty: str) -> List[str]:
+    """Files of the same cells at other corners: where the library is called *typ*, those beside it
+    that are called *slow* and *fast* instead. synth/common has the same for shell scripts."""
+    folder, name = os.path.split(liberty)
+    return [] if "typ" not in name else [
+        file for file in (os.path.join(folder, name.replace("typ", corner, 1))
+                          for corner in ("slow", "fast")) if os.access(file, os.R_OK)]
+
+
 def usage(docstring: str) -> Failed:
     """The usage that a script's docstring holds, in one line."""
     found = re.search(r"^    (synth/.*?)\n\n", docstring, re.M | re.S)

@@ -39,3 +39,36 @@ proc least_slack {paths} {
 proc worst_slack {} {
   return [least_slack [find_timing_paths -path_delay max]]
 }
+
+# Writes a file for synth/limits.py: each output of a cell with its load (F) and the pins that read
+# it, and what OpenSTA finds of max_transition, in ps. This OpenSTA (2.0.17) judges no other limit.
+# The clock's own port is no output of a cell, because its tree is made in the layout.
+proc tell_limits {file} {
+  global sta_report_default_digits
+  set corner [sta::cmd_corner]
+  set out [open $file w]
+  set cells [sta::leaf_instance_iterator]
+  while {[sta::LeafInstanceIterator_has_next $cells]} {
+    set cell [sta::LeafInstanceIterator_next $cells]
+    set type [get_name [sta::Instance_liberty_cell $cell]]
+    set pins [sta::Instance_pin_iterator $cell]
+    while {[sta::InstancePinIterator_has_next $pins]} {
+      set pin [sta::InstancePinIterator_next $pins]
+      set net [sta::Pin_net $pin]
+      if {$net eq "NULL" || ![sta::Pin_is_driver $pin]} { continue }
+      set load [expr {max([sta::Pin_capacitance $pin rise $corner max],
+                          [sta::Pin_capacitance $pin fall $corner max])}]
+      puts $out "output [get_full_name $pin] $type $load [llength [sta::net_load_pins $net]]"
+    }
+    sta::InstancePinIterator_finish $pins
+  }
+  sta::LeafInstanceIterator_finish $cells
+  close $out
+  set digits $sta_report_default_digits
+  set sta_report_default_digits 4
+  set_cmd_units -time ps
+  report_check_types -no_line_splits -max_transition >> $file
+  report_check_types -no_line_splits -max_transition -all_violators >> $file
+  set_cmd_units -time ns
+  set sta_report_default_digits $digits
+}

@@ -43,17 +43,21 @@ AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)$(ON
 routed:
 	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2
 
-# Another library of the same name is another library.
+# Another library of the same name is another library. Sizing keeps the limits of all corners.
+OTHER_CORNERS = $(or $(CORNERS),$(filter-out $(LIBERTY),$(foreach corner,slow fast, \
+                $(dir $(LIBERTY))$(subst typ,$(corner),$(notdir $(LIBERTY))))))
 $(AREA)/liberty.sum: FORCE
 	@[ -r "$(LIBERTY)" ] || \
 	  { echo "area: $(LIBERTY) cannot be read; give LIBERTY=file.lib[.gz]" >&2; exit 2; }
 	@mkdir -p $(AREA)
-	@cksum "$(LIBERTY)" > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	@cksum "$(LIBERTY)" $(wildcard $(OTHER_CORNERS)) > $@.new; \
+	  if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 $(AREA)/area.json: $(RTL) $(AREA)/liberty.sum $(BUILD)/liberty \
     $(wildcard synth/area/* synth/common* synth/netlist.jq)
 	@echo "  YOSYS   $(DESIGN_NAME), $(LIBRARY)"
-	@synth/area/map -l $(LIBERTY) $(if $(PERIOD),-p $(PERIOD)) $(ROUNDS_OF) \
+	@synth/area/map -l $(LIBERTY) $(if $(CORNERS),-c "$(CORNERS)") $(if $(PERIOD),-p $(PERIOD)) \
+	  $(ROUNDS_OF) \
 	  $(if $(GENERATED),-m $(SEPAX)) $(if $(GATED),-g) -o $(AREA) $(CORE)/rtl
 
 mapped: $(AREA)/area.json
@@ -75,7 +79,8 @@ laid: $(AREA)/area.json
 	@for block in $(BLOCKS); do \
 	  echo "  LAYOUT  $(DESIGN_NAME), $$block, $(LIBRARY)"; \
 	  synth/layout/run -l $(LIBERTY) -f "$(LEF)" $(if $(GDS),-g $(GDS)) $(if $(USE),-u $(USE)) \
-	    $(if $(SEEDS),-r "$(SEEDS)") $(AT_FULL) -m $$block -o $(AREA)/layout/$$block $(AREA) || \
+	    $(if $(SEEDS),-r "$(SEEDS)") $(if $(CORNERS),-k "$(CORNERS)") \
+	    $(if $(DERATE),-d $(DERATE)) $(AT_FULL) -m $$block -o $(AREA)/layout/$$block $(AREA) || \
 	    exit; done
 layout-file:
 	@for block in $(BLOCKS); do echo $(AREA)/layout/$$block/layout.json; done

@@ -7,8 +7,9 @@
  * The JSON: library, leakage_unit_w, capacitance_unit_f, and cells by name: area, footprint,
  * leakage, state (ff, latch, ... with their functions; none: combinational), and pins by name:
  * direction, capacitance, function, three_state, clock_gate (clock, enable, test or out: what the
- * pin is to a clock gate whose latch opens while the clock is low). What the file does not say is
- * null. Exit status 2: it could not be done. */
+ * pin is to a clock gate whose latch opens while the clock is low), max_capacitance,
+ * max_transition, max_fanout (the pin's own limit, or else the library's default) and fanout_load.
+ * What the file does not say is null. Exit status 2: it could not be done. */
 #include "derive.h"
 #include "tree.h"
 
@@ -38,20 +39,35 @@ static json_t *state_of(const node *n) {
   return state;
 }
 
-static json_t *pin_of(const node *cell, const node *n) {
-  const char *gate = tree_clock_gate(cell, n);
-  return json_pack("{s:o, s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"), "capacitance",
-                   number_of(n, "capacitance"), "function", text_of(n, "function"), "three_state",
-                   text_of(n, "three_state"), "clock_gate",
-                   gate == NULL ? json_null() : json_string(gate));
+/* Limits of a pin: its own, or else the library's default. */
+static void add_limits(json_t *pin, const node *library, const node *n) {
+  static const char *const own[] = {"max_capacitance", "max_transition", "max_fanout",
+                                    "fanout_load"};
+  static const char *const by_default[] = {"default_max_capacitance", "default_max_transition",
+                                           "default_max_fanout", "default_fanout_load"};
+  for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) {
+    bool has = tree_value(n, own[k]) != NULL;
+    json_object_set_new(pin, own[k],
+                        has ? number_of(n, own[k]) : number_of(library, by_default[k]));
+  }
 }
 
-static json_t *cell_of(const node *cell) {
+static json_t *pin_of(const node *library, const node *cell, const node *n) {
+  const char *gate = tree_clock_gate(cell, n);
+  json_t *pin = json_pack("{s:o, s:o, s:o, s:o, s:o}", "direction", text_of(n, "direction"),
+                          "capacitance", number_of(n, "capacitance"), "function",
+                          text_of(n, "function"), "three_state", text_of(n, "three_state"),
+                          "clock_gate", gate == NULL ? json_null() : json_string(gate));
+  add_limits(pin, library, n);
+  return pin;
+}
+
+static json_t *cell_of(const node *library, const node *cell) {
   static const char *const kinds[] = {"ff", "ff_bank", "latch", "latch_bank", "statetable"};
   json_t *pins = json_object();
   json_t *states = json_array();
   for (const node *n = tree_child(cell, "pin"); n != NULL; n = tree_next(n)) {
-    json_object_set_new(pins, n->args, pin_of(cell, n));
+    json_object_set_new(pins, n->args, pin_of(library, cell, n));
   }
   for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
     for (const node *n = tree_child(cell, kinds[k]); n != NULL; n = tree_next(n)) {
@@ -66,7 +82,7 @@ static json_t *cell_of(const node *cell) {
 static int print_cells(const node *library) {
   json_t *cells = json_object();
   for (const node *n = tree_child(library, "cell"); n != NULL; n = tree_next(n)) {
-    json_object_set_new(cells, n->args, cell_of(n));
+    json_object_set_new(cells, n->args, cell_of(library, n));
   }
   const node *load = tree_child(library, "capacitive_load_unit");
   double watt = tree_unit(tree_value(library, "leakage_power_unit"), 1e-9);

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # synth/timing/sta.tcl - what OpenSTA is asked about a mapped netlist, in one corner.
 #
-# clock (its port) and period (ns) are set by who sources it, after synth/common.tcl. Prints lines
-# that begin with a word of its own, for synth/timing/sta.
+# clock (its port), period (ns) and limits (the file that gets loads and slopes) are set by who
+# sources it, after synth/common.tcl. Prints lines that begin with a word of its own, for
+# synth/timing/sta.
 
 proc slack_at {ns} {
   global clock
@@ -45,6 +46,7 @@ puts "hold [least_slack $hold]"
 puts "path"
 report_checks -path_delay max -digits 4 -to $last
 puts "path done"
+tell_limits $limits
 
 # With the least period there is no slack left, or a path was judged by another edge.
 set least [expr {$period - $worst}]

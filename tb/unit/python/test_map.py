@@ -98,8 +98,8 @@ class Refusals(Folder):
         self.assertIn(words, said)
 
     def test_usage(self) -> None:
-        words = ("usage: synth/area/map [-l LIBERTY] [-n NAND2] [-p PERIOD] [-m SEPAX] "
-                 "[-r ROUNDS] [-g] -o OUT_DIR RTL_DIR\n")
+        words = ("usage: synth/area/map [-l LIBERTY] [-c \"LIBERTY ...\"] [-n NAND2] "
+                 "[-p PERIOD] [-m SEPAX] [-r ROUNDS] [-g] -o OUT_DIR RTL_DIR\n")
         for arguments in ((), ("a",), ("-o", "a"), ("-z",), ("-o",), ("-o", "a", "b", "c")):
             self.refused(words, *arguments)
 
@@ -326,7 +326,8 @@ class Rounds(Folder):
 
         mapped = []
         with mock.patch.object(design, "map_modules", lambda abc, n: mapped.append(abc)), \
-                mock.patch.object(design, "check_timing", check):
+                mock.patch.object(design, "check_timing", check), \
+                mock.patch.object(design, "over_limits", lambda: []):
             design.size_cells()
         self.mapped = mapped
         return json.loads(design.timing), len(mapped)
@@ -337,7 +338,8 @@ class Rounds(Folder):
 
     def test_met_at_once(self) -> None:
         timing, rounds = self.size([0.1])
-        self.assertEqual(timing, {"period_ns": 2, "slack_ns": 0.1, "met": True, "rounds": 1})
+        self.assertEqual(timing, {"period_ns": 2, "slack_ns": 0.1, "met": True, "rounds": 1,
+                                  "changed_for_limits": 0, "over_limits": 0})
         self.assertEqual(rounds, 1)
 
     def test_only_slow_modules_rise(self) -> None:
