@@ -78,9 +78,10 @@ def slopes(said: str) -> List[Reached]:
             for pin, limit, value in SLOPE.findall(said) if float(limit) > 0]
 
 
-def judged(said: str, library: Object) -> Tuple[Object, List[Reached]]:
+def judged(said: str, library: Object, most: float = 1) -> Tuple[Object, List[Reached]]:
     """A summary by limit (null where the library has none): share of the limit that the worst pin
-    reaches, that pin, and how many are over; and the pins that are over, the worst first."""
+    reaches, that pin, and how many are over; and the pins that are over, the worst first. Of
+    capacitances those that reach more than the share `most` are among the latter."""
     reached = outputs(said, library) + slopes(said)
     summary: Object = {}
     for kind in KINDS:
@@ -90,7 +91,8 @@ def judged(said: str, library: Object) -> Tuple[Object, List[Reached]]:
             "worst": rounded(worst.share, PARTS), "pin": worst.pin,
             "over": len({one.pin for one in own if one.share > 1})}
     over: Dict[Tuple[str, str], Reached] = {
-        (one.kind, one.pin): one for one in reached if one.share > 1}
+        (one.kind, one.pin): one for one in reached
+        if one.share > (most if one.kind == "capacitance" else 1)}
     return summary, sorted(over.values(), key=lambda one: (-one.share, one.kind, one.pin))
 
 

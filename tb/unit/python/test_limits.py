@@ -54,6 +54,12 @@ class Judged(unittest.TestCase):
         self.assertEqual([(one.kind, one.pin) for one in over],
                          [("fanout", "b/Z"), ("capacitance", "u/a[0]/Z")])
 
+    def test_nearly_over(self) -> None:
+        near = "output c/Z INV_X8 7.9e-14 70\n"
+        self.assertEqual(limits.judged(near, LIBRARY)[1], [])
+        summary, over = limits.judged(near, LIBRARY, 0.98)
+        self.assertEqual((summary["capacitance"]["over"], len(over)), (0, 1))
+
     def test_late_slopes(self) -> None:
         late = "".join(f"d/{name}  500.0000  502.5216   -2.5216 (VIOLATED)\n" for name in "ZA")
         summary, over = limits.judged("max_transition\n" + late + late, LIBRARY)
