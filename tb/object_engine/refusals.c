@@ -119,6 +119,9 @@ void refusals(void) {
   for (uint32_t address = 0; address < 0x80; address++) {
     bool known = address % 4 == 0 && address <= SEPAX_FIRST_B && address != SEPAX_COMMAND;
     expect("which addresses can be read", bus_read(NULL, address, &value), known);
+    if (address % 4 != 0) {
+      expect("a write that is not aligned", bus_write(NULL, address, 1), 0);
+    }
   }
   expect("a write to ID", bus_write(NULL, SEPAX_ID, 1), 0);
   single_bits();

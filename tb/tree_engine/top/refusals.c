@@ -79,7 +79,13 @@ static void settings(void) {
   crowd(known, sizeof known / sizeof known[0], SEPAX_TREE_COMMAND, 1);
   bus_reset();
   uint32_t value = 0;
-  expect("an address beyond", bus_read(NULL, 0x7c, &value), 0);
+  for (uint32_t address = 0; address < 0x80; address++) {
+    bool is_one = address % 4 == 0 && address <= SEPAX_TREE_CYCLES && address != SEPAX_TREE_COMMAND;
+    expect("which addresses can be read", bus_read(NULL, address, &value), is_one);
+    if (address % 4 != 0) {
+      expect("a write that is not aligned", bus_write(NULL, address, 1), 0);
+    }
+  }
   expect("START without jobs", bus_write(NULL, SEPAX_TREE_COMMAND, SEPAX_TREE_COMMAND_START), 0);
   expect("ID is read only", bus_write(NULL, SEPAX_TREE_ID, 0), 0);
   expect("a list at 64", bus_write(NULL, SEPAX_TREE_LIST_LOW, 64), 0);
