@@ -14,6 +14,7 @@ import struct
 import subprocess
 import sys
 from pathlib import Path
+from typing import List, NamedTuple, Tuple
 
 import numpy as np
 import sepax
@@ -89,7 +90,7 @@ def body(folder, name, *shape):
 
 
 def poses_of(count, seed):
-    """Rotations and shifts in 2^-20, from far apart to deep in each other."""
+    """Rotations and shifts, from deep in each other to far apart."""
     rng = np.random.default_rng(seed)
     poses = []
     for n in range(count):
@@ -100,14 +101,18 @@ def poses_of(count, seed):
                          [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
         way = rng.normal(size=3)
         shift = way / np.linalg.norm(way) * 900 * (n + 0.5) / count
-        poses.append((np.rint(turn * 2**20).astype(np.int64),
-                      np.rint(shift * 2**20).astype(np.int64)))
+        poses.append((turn, np.rint(shift * 2**20) / 2**20))
     return poses
+
+
+def fixed(pose):
+    """A pose in whole numbers of 2^-20, as the engine takes it."""
+    return tuple(np.rint(part * 2**20).astype(np.int64) for part in pose)
 
 
 def library(a, b, pose):
     """The pairs that collide, by the library: the vertices of b are moved and rounded once."""
-    turn, shift = pose
+    turn, shift = fixed(pose)
     moved = (b.reshape(-1, 3) @ turn.T + shift + 2**19) >> 20
     corners = np.arange(moved.size // 3).reshape(-1, 3)
     found = sepax.meshes_pairs(
@@ -124,9 +129,9 @@ def scene_header(poses, places):
     lines += [f"#define {name} 0x{place:x}u" for name, place in places.items()]
     lines.append("static const int32_t matrix_of[POSES][3][3] = {")
     lines += ["{" + ", ".join("{" + ", ".join(map(str, row)) + "}" for row in turn.tolist()) + "},"
-              for turn, _ in poses]
+              for turn, _ in map(fixed, poses)]
     lines.append("};\nstatic const int64_t shift_of[POSES][3] = {")
-    lines += ["{" + ", ".join(map(str, shift.tolist())) + "}," for _, shift in poses]
+    lines += ["{" + ", ".join(map(str, shift.tolist())) + "}," for _, shift in map(fixed, poses)]
     return "\n".join(lines + ["};", ""])
 
 
@@ -187,27 +192,56 @@ def simulate(chip, folder, words):
     return subprocess.run(["./run"], cwd=made, check=True, capture_output=True, text=True).stdout
 
 
+class Answer(NamedTuple):
+    """What the firmware was told of a pose: pairs of triangles, and the 16 numbers of its end."""
+    pairs: List[Tuple[int, int]]
+    end: List[int]
+
+    status = property(lambda self: self.end[1])
+    cycles = property(lambda self: self.end[4])
+    collisions = property(lambda self: self.end[6])
+    first = property(lambda self: tuple(self.end[12:14]))
+
+
+def parse(said):
+    """The answers in each batch of the firmware's: {name: [Answer, ...]}. Without the firmware's
+    last word there are none."""
+    batches, pairs = {}, []
+    *lines, last = said.splitlines() or [""]
+    for line in lines if last == "end" else []:
+        kind, *words = line.split()
+        if kind == "batch":
+            answers = batches[words[0]] = []
+        elif kind == "pair":
+            pairs.append((int(words[0]), int(words[1])))
+        else:
+            answers.append(Answer(pairs, [int(word) for word in words]))
+            pairs = []
+    return batches
+
+
 def compare(said, poses, meshes, numbers):
     """A line for each pose of the firmware's, beside the library. 0: all agree."""
-    wrong, found, asked = 0, set(), 0
-    before, _, outside = "\n".join(said).partition("outside\n")
+    batches = parse(said)
+    everything, first, again = (batches.get(name, []) for name in ("all", "first", "again"))
+    wrong = 0
     print("pose  pairs  library  cycles")
-    for line in before.splitlines():
-        words = line.split()
-        if words[0] == "pair":
-            found.add((numbers[0][int(words[1])], numbers[1][int(words[2])]))
-        elif words[0] == "pose":
-            pose, status, collisions, cycles = map(int, words[1:])
-            want = library(*meshes, poses[pose])
-            right = found == want and collisions == len(want) and status == bool(want)
-            print(f"{pose:4}  {collisions:5}  {len(want):7}  {cycles:6}"
-                  f"{'' if right else f'  WRONG, status {status}'}")
-            wrong, found, asked = wrong + (not right), set(), asked + 1
-    lines = outside.splitlines()
-    refused = lines[:1] and lines[0].split()[2:3] == [str(BUS_ERROR)] and lines[1:] == ["end"]
-    print("jobs outside of the SDRAM:", "a bus error" if refused else " / ".join(lines))
+    for n, (each, one, more) in enumerate(zip(everything, first, again)):
+        want = library(*meshes, poses[n])
+        found = [(numbers[0][a], numbers[1][b]) for a, b in each.pairs]
+        right = (set(found) == want and each.collisions == len(found) == len(want)
+                 and each.first == (each.pairs[0] if want else (0, 0))
+                 and all(answer.status == bool(want) and answer.first == each.first
+                         for answer in (each, one, more)))
+        print(f"{n:4}  {each.collisions:5}  {len(want):7}  {one.cycles:6}"
+              f"{'' if right else f'  WRONG, status {each.status}'}")
+        wrong += not right
+    outside = [name for name in ("triangles", "poses", "jobs")
+               if [answer.status for answer in batches.get(name, [])] == [BUS_ERROR]]
+    print(f"bus errors outside of the SDRAM: {', '.join(outside)}")
+    asked = min(len(everything), len(first), len(again))
     print(f"{asked} poses of {len(poses)}, {wrong} differ")
-    return 0 if asked == len(poses) and wrong == 0 and refused else 1
+    return 0 if asked == len(poses) and wrong == 0 and len(outside) == 3 else 1
 
 
 def main():
@@ -238,7 +272,8 @@ def main():
                 ii=given.ii)
     chip.finalize()
     said = simulate(chip, folder, firmware(chip, folder, scene_header(poses, places)))
-    return compare(said.splitlines(), poses, (a, b), (numbers_a, numbers_b))
+    (folder / "said.txt").write_text(said, encoding="utf-8")
+    return compare(said, poses, (a, b), (numbers_a, numbers_b))
 
 
 if __name__ == "__main__":

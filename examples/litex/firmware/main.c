@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* main.c - firmware: asks the tree engine about two bodies that lie in the SDRAM, in the poses of
- * scene.h, and then about a list of jobs outside of the SDRAM. Each answer is a line on the
- * UART; soc.py compares them with the library's. */
+ * scene.h: for all pairs, and for the first one. Then it gives the engine what is not wholly in the
+ * SDRAM, and asks once more. Each answer is a line on the UART; soc.py compares them with the
+ * library's. */
 #include "sepax_tree_driver.h"
 #include "sepax_tree_registers.h"
 
@@ -104,74 +105,105 @@ static void found(void *context, const sepax_contact *contact) {
   text(contact->out_of_range ? " undecided\n" : "\n");
 }
 
-static int take_all(sepax_tree_device *device) {
-  sepax_outcome outcome = {0};
-  while (!outcome.last) {
-    sepax_tree_device_status status = sepax_tree_device_take(device, found, NULL, &outcome);
-    if (status != SEPAX_TREE_DEVICE_OK && status != SEPAX_TREE_DEVICE_NO_VERDICT) {
-      text(sepax_tree_device_text(status));
-      text("\n");
-      return 2;
-    }
-    text("pose");
-    number(outcome.pose);
-    number(outcome.status);
-    number(outcome.collisions);
-    number(outcome.cycles);
-    text("\n");
+/* The numbers of a pose, in the order in which the engine sends them. */
+static void tell(const sepax_outcome *o) {
+  const uint32_t numbers[] = {o->steps,        o->status,   o->job,        o->pose,
+                              o->cycles,       o->near,     o->collisions, o->warnings,
+                              o->out_of_range, o->pairs,    o->rows,       o->entries,
+                              o->first[0],     o->first[1], o->row[0],     o->row[1]};
+  text("pose");
+  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+    number(numbers[i]);
   }
-  return 0;
+  text("\n");
 }
 
-static int ask(void) {
+/* Start a batch of one job, and tell all its answers. */
+static bool batch(sepax_tree_device *device, const char *name, uint32_t job) {
+  text("batch ");
+  text(name);
+  text("\n");
+  bool busy = true;
+  while (busy) {
+    (void)sepax_tree_device_busy(device, &busy);
+  }
+  sepax_tree_device_status status = sepax_tree_device_start(device, job, 1);
+  sepax_outcome outcome = {0};
+  while (status == SEPAX_TREE_DEVICE_OK && !outcome.last) {
+    status = sepax_tree_device_take(device, found, NULL, &outcome);
+    if (status == SEPAX_TREE_DEVICE_OK || status == SEPAX_TREE_DEVICE_NO_VERDICT) {
+      tell(&outcome);
+      status = SEPAX_TREE_DEVICE_OK;
+    }
+  }
+  if (status != SEPAX_TREE_DEVICE_OK) {
+    text(sepax_tree_device_text(status));
+    text("\n");
+  }
+  return status == SEPAX_TREE_DEVICE_OK;
+}
+
+/* Jobs in the SDRAM: all pairs, the first pair, a body and a queue of poses that are not wholly in
+ * the SDRAM. */
+enum { ALL, FIRST, BODY, POSE };
+#define END (MAIN_RAM_BASE + MAIN_RAM_SIZE)
+#define PAGE 4096u /* its nodes are in the first page of a body, its triangles in the others */
+
+static bool write_records(const sepax_tree_device *device, uint8_t *job) {
+  static sepax_tree_device_work work;
+  uint8_t *pose = job + PAGE;
+  if (!sepax_tree_device_fits(device, ram(TREE_A), ram(TREE_B)) ||
+      !sepax_tree_device_body(work.body[0], ram(TREE_A), MAIN_RAM_BASE + TREE_A) ||
+      !sepax_tree_device_body(work.body[1], ram(TREE_B), MAIN_RAM_BASE + TREE_B)) {
+    text("the trees do not fit\n");
+    return false;
+  }
+  for (int i = 0; i < POSES; i++) {
+    if (!sepax_tree_device_pose(pose + 256 * i, matrix_of[i], shift_of[i], device->word,
+                                device->margin)) {
+      text("a pose does not fit\n");
+      return false;
+    }
+  }
+  work.poses = (uint32_t)pose;
+  work.count = POSES;
+  sepax_tree_device_job(job + ALL * SEPAX_TREE_DEVICE_JOB, &work);
+  work.modes = SEPAX_TREE_DEVICE_FIRST | SEPAX_TREE_DEVICE_QUIET;
+  sepax_tree_device_job(job + FIRST * SEPAX_TREE_DEVICE_JOB, &work);
+  work.poses = END;
+  sepax_tree_device_job(job + POSE * SEPAX_TREE_DEVICE_JOB, &work);
+  work.poses = (uint32_t)pose;
+  memcpy((uint8_t *)(END - PAGE), ram(TREE_B), PAGE);
+  (void)sepax_tree_device_body(work.body[1], ram(TREE_B), END - PAGE);
+  sepax_tree_device_job(job + BODY * SEPAX_TREE_DEVICE_JOB, &work);
+  return true;
+}
+
+static bool ask(void) {
   const sepax_tree_device_bus bus = {NULL, read_register, write_register, receive};
   sepax_tree_device device;
   sepax_tree_device_status status = sepax_tree_device_open(&device, &bus);
   if (status != SEPAX_TREE_DEVICE_OK) {
     text(sepax_tree_device_text(status));
     text("\n");
-    return 2;
+    return false;
   }
-  static sepax_tree_device_work work;
   uint8_t *job = ram(RECORDS);
-  uint8_t *pose = job + 4096;
-  if (!sepax_tree_device_fits(&device, ram(TREE_A), ram(TREE_B)) ||
-      !sepax_tree_device_body(work.body[0], ram(TREE_A), MAIN_RAM_BASE + TREE_A) ||
-      !sepax_tree_device_body(work.body[1], ram(TREE_B), MAIN_RAM_BASE + TREE_B)) {
-    text("the trees do not fit\n");
-    return 2;
+  if (!write_records(&device, job)) {
+    return false;
   }
-  for (int i = 0; i < POSES; i++) {
-    if (!sepax_tree_device_pose(pose + 256 * i, matrix_of[i], shift_of[i], device.word,
-                                device.margin)) {
-      text("a pose does not fit\n");
-      return 2;
-    }
-  }
-  work.poses = (uint32_t)pose;
-  work.count = POSES;
-  sepax_tree_device_job(job, &work);
   flush();
-  status = sepax_tree_device_start(&device, (uint32_t)job, 1);
-  if (status == SEPAX_TREE_DEVICE_OK && take_all(&device) == 0) {
-    text("outside\n");
-    bool busy = true;
-    while (busy) {
-      (void)sepax_tree_device_busy(&device, &busy);
-    }
-    status = sepax_tree_device_start(&device, MAIN_RAM_BASE + MAIN_RAM_SIZE, 1);
-    if (status == SEPAX_TREE_DEVICE_OK) {
-      return take_all(&device);
-    }
-  }
-  text(sepax_tree_device_text(status));
-  text("\n");
-  return 2;
+  uint32_t at = (uint32_t)job;
+  return batch(&device, "all", at + ALL * SEPAX_TREE_DEVICE_JOB) &&
+         batch(&device, "first", at + FIRST * SEPAX_TREE_DEVICE_JOB) &&
+         batch(&device, "triangles", at + BODY * SEPAX_TREE_DEVICE_JOB) &&
+         batch(&device, "poses", at + POSE * SEPAX_TREE_DEVICE_JOB) &&
+         batch(&device, "jobs", END) && batch(&device, "again", at + FIRST * SEPAX_TREE_DEVICE_JOB);
 }
 
 int main(void) {
   uart_ev_enable_write(0);
-  text(ask() == 0 ? "end\n" : "failed\n");
+  text(ask() ? "end\n" : "failed\n");
   letter('\x04'); /* the simulation ends */
   return 0;
 }
