@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: MIT
 """area_limits - changes a mapped netlist where outputs exceed limits of the library: the cell
-becomes a larger one of its kind, or, where there is none or too many pins read it, a buffer takes
-half of its load.
+becomes a larger one of its kind, or, where there is none or too many pins read it, buffers take a
+part of its load.
 
 A module is changed once, for all of its instances. What was changed may exceed another limit, so
 synth/area/map asks OpenSTA again until nothing is over.
 """
 from __future__ import annotations
 
+import math
 import re
 from typing import Dict, Iterable, Iterator, List, Optional, Tuple
 
@@ -15,6 +16,7 @@ from common import Object
 from limits import Reached
 
 SIZE = re.compile(r"(.*[^0-9])([0-9]+)")
+MOST_GROUPS = 8  # that a net's readers are dealt to at once
 Pin = Tuple[str, str]  # a cell of a module and its pin
 
 
@@ -58,7 +60,8 @@ def clock_pins(cell: Object) -> List[str]:
 
 
 class Mender:
-    """A netlist that is changed in place."""
+    """A netlist that is changed in place, once. What cells a net comes to is kept, because it only
+    weighs loads."""
 
     def __init__(self, netlist: Object, top: str, cells: Object, drive: int) -> None:
         self.modules = netlist["modules"]
@@ -67,6 +70,9 @@ class Mender:
         self.larger = larger_cells(cells)
         self.buffer = (buffers(cells)[:drive] or [None])[-1]
         self.clocks = {name: clock_pins(cell) for name, cell in cells.items()}
+        self.read: Dict[str, Dict[int, List[Tuple[Pin, int]]]] = {}  # by module and net
+        self.reached: Dict[Tuple[str, int], List[Pin]] = {}
+        self.next: Dict[str, int] = {}  # a net's number, by module
 
     def place(self, path: str) -> Tuple[str, str, str]:
         """The module, the cell in it and the pin that a path from the top leads to."""
@@ -83,14 +89,18 @@ class Mender:
         of = self.cells[kind]["pins"] if kind in self.cells else self.modules[kind]["ports"]
         return of.get(pin, {}).get("direction") == "output"
 
-    def readers(self, module: str, net: int) -> Iterator[Tuple[Pin, int]]:
+    def readers(self, module: str, net: int) -> List[Tuple[Pin, int]]:
         """The pins of cells and instances of a module that read a net, with the place in it."""
-        for name, cell in self.modules[module]["cells"].items():
-            for pin, bits in cell["connections"].items():
-                if net in bits and not self.is_output(cell["type"], pin):
-                    for place, bit in enumerate(bits):
-                        if bit == net:
-                            yield (name, pin), place
+        if module not in self.read:
+            found: Dict[int, List[Tuple[Pin, int]]] = {}
+            for name, cell in self.modules[module]["cells"].items():
+                for pin, bits in cell["connections"].items():
+                    if not self.is_output(cell["type"], pin):
+                        for place, bit in enumerate(bits):
+                            if isinstance(bit, int):
+                                found.setdefault(bit, []).append(((name, pin), place))
+            self.read[module] = found
+        return self.read[module].get(net, [])
 
     def leaves(self, module: str, reader: Pin, place: int) -> List[Pin]:
         """The library's cells and pins that a reader comes to, through the hierarchy below."""
@@ -98,8 +108,20 @@ class Mender:
         if kind in self.cells:
             return [(kind, reader[1])]
         net = self.modules[kind]["ports"][reader[1]]["bits"][place]
-        return [leaf for inner, at in self.readers(kind, net)
-                for leaf in self.leaves(kind, inner, at)]
+        if (kind, net) not in self.reached:
+            self.reached[kind, net] = [leaf for inner, at in self.readers(kind, net)
+                                       for leaf in self.leaves(kind, inner, at)]
+        return self.reached[kind, net]
+
+    def new_nets(self, module: str, number: int) -> int:
+        """The first of so many new nets of a module, which has other readers from now on."""
+        if module not in self.next:
+            self.next[module] = 1 + max(bit for of in self.modules[module]["netnames"].values()
+                                        for bit in of["bits"] if isinstance(bit, int))
+        self.read.pop(module, None)
+        first = self.next[module]
+        self.next[module] += number
+        return first
 
     def load(self, leaves: Iterable[Pin]) -> float:
         """What cells' pins are to who drives them, in the library's unit."""
@@ -139,9 +161,10 @@ class Mender:
         return larger[0] if larger else None
 
     def split(self, one: Reached) -> bool:
-        """Puts a buffer into the net that a path's pin drives: in that module which has the most
-        readers of it, in front of the second half of their load; where none has two, in front of
-        all that the pin drives. A clock is not split."""
+        """Puts buffers into the net that a path's pin drives: in that module which has the most
+        readers of it, one for each group of them but the first; where none has two, one in front of
+        all that the pin drives. There are as many groups as the net exceeds its limit, two at
+        least. A clock is not split."""
         *instances, name, pin = one.pin.split("/")
         module, _, _ = self.place(one.pin)
         cell = self.modules[module]["cells"][name]
@@ -157,16 +180,17 @@ class Mender:
         if len(found) < 2:
             most, inner = module, net
         here = self.modules[most]
-        new = 1 + max((bit for of in here["netnames"].values() for bit in of["bits"]
-                       if isinstance(bit, int)), default=inner)
+        groups = min(max(2, math.ceil(one.share)), MOST_GROUPS)
+        new = self.new_nets(most, groups)
         if len(found) > 1:
-            self.move_half(here, found, inner, new)
-            connections = {pin_in: [inner], pin_out: [new]}
+            nets = [(inner, bit) for bit in self.move(here, found, inner, new, groups)]
         else:
             cell["connections"][pin] = [new]
-            connections = {pin_in: [new], pin_out: [net]}
-        here["cells"][f"fanout_{new}_limit"] = {"type": buffer, "connections": connections}
-        here["netnames"][f"fanout_{new}_net"] = {"bits": [new]}
+            nets = [(new, net)]
+        for number, (source, driven) in enumerate(nets, new):
+            here["cells"][f"fanout_{number}_limit"] = {
+                "type": buffer, "connections": {pin_in: [source], pin_out: [driven]}}
+            here["netnames"][f"fanout_{number}_net"] = {"bits": [number]}
         return True
 
     def parts(self, instances: List[str], module: str, net: int) -> List[Tuple[str, int]]:
@@ -192,16 +216,22 @@ class Mender:
                 yield kind, inner
                 yield from self.parts_below(kind, inner)
 
-    def move_half(self, here: Object, found: List[Tuple[Pin, int, List[Pin]]], net: int,
-                  new: int) -> None:
-        """Moves readers to another net, the last ones, until they are half of the load; all, if an
-        output port keeps the net."""
+    def move(self, here: Object, found: List[Tuple[Pin, int, List[Pin]]], net: int, new: int,
+             groups: int) -> List[int]:
+        """Deals readers to groups of about the same load. The first group stays, unless an output
+        port keeps the net; each of the others gets a net from `new` on. Returns these nets."""
         at_ports = any(net in port["bits"] and port["direction"] == "output"
                        for port in here["ports"].values())
-        half = 0 if at_ports else sum(self.load(leaves) for _, _, leaves in found) / 2
-        kept = 0.0
+        first = 1 if at_ports else 0
+        whole = sum(self.load(leaves) for _, _, leaves in found) or 1
+        before = 0.0
+        dealt: Dict[int, int] = {}
         for number, ((name, pin), place, leaves) in enumerate(found):
-            last = number == len(found) - 1
-            if kept >= half or last:
-                here["cells"][name]["connections"][pin][place] = new
-            kept += self.load(leaves)
+            group = first + min(int(before / whole * (groups - first)), groups - first - 1)
+            if number == len(found) - 1 and not dealt:
+                group = max(group, 1)
+            if group > 0:
+                bit = dealt.setdefault(group, new + len(dealt))
+                here["cells"][name]["connections"][pin][place] = bit
+            before += self.load(leaves)
+        return list(dealt.values())

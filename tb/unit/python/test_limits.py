@@ -136,6 +136,18 @@ class Mended(unittest.TestCase):
         self.assertEqual([cells[f"r{i}"]["connections"]["A"][0] for i in range(4)],
                          [3, 3, 30, 30])
 
+    def test_groups(self) -> None:
+        design = netlist(6)
+        design["modules"]["part"]["ports"].pop("y")
+        design["modules"]["top"]["cells"] = {"u": design["modules"]["top"]["cells"]["u"]}
+        self.mend(design, "fanout", 25)
+        cells = design["modules"]["part"]["cells"]
+        self.assertEqual([cells[f"r{i}"]["connections"]["A"][0] for i in range(6)],
+                         [3, 3, 30, 30, 31, 31])
+        self.assertEqual(self.connected(design), [
+            ("fanout_30_limit", {"A": [3], "Z": [30]}), ("fanout_31_limit", {"A": [3], "Z": [31]}),
+            ("g", {"A": [2], "Z": [3]})])
+
     def test_only_a_port(self) -> None:
         design = netlist(0, driver="BUF_X2")
         design["modules"]["top"]["cells"].pop("i")
