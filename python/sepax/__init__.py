@@ -28,6 +28,13 @@ from .triangles import (Grid, TriangleVerdicts, exact, exact_collisions, exact_p
 
 __version__: str = _core.about()["version"]
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "amaranth", "bodies", "files", "hardware", "manager", "mechanism", "paths", "plots",
-    "triangles")]
+__all__ = [
+    "Accuracy", "Answers", "ArgumentError", "Basis", "Body", "Certificate", "Code",
+    "CollisionManager", "ContactData", "Design", "Distance", "DistanceData", "Estimate",
+    "FileError", "FormatError", "Grid", "Inside", "Joint", "LimitError", "Mechanism",
+    "MissingError", "Nearness", "Nearnesses", "Pairs", "PathResult", "Port", "SepaxError", "Shell",
+    "TriangleVerdicts", "UndecidedError", "UndecidedWarning", "Verdict", "Verdicts", "Within",
+    "accuracy", "collide", "distance", "estimate", "exact", "exact_collisions", "exact_pairs",
+    "features", "generate", "meshes_pairs", "near", "nearest_poses", "pairs", "plot_accuracy",
+    "plot_area", "plot_clearance", "program", "read_mesh", "read_poses", "scene_to_collision",
+    "triangles_collide", "triangles_distance", "weld", "within", "write_stl"]

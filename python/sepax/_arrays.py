@@ -36,6 +36,8 @@ def vertices_of(value: Any) -> np.ndarray:
     array = numbers(value, "vertices", "fiu")
     if array.ndim != 2 or array.shape[1] != 3:
         raise _shape_error("vertices", array, "(n, 3)")
+    if not array.dtype.isnative:
+        array = array.astype(array.dtype.newbyteorder("="))
     if array.dtype not in (np.float64, np.float32):
         if array.dtype.itemsize > 8 and array.dtype.kind == "f":
             raise TypeError(f"vertices have the type {array.dtype}, which does not fit float64; "
@@ -47,8 +49,8 @@ def vertices_of(value: Any) -> np.ndarray:
         array = array.astype(np.float64)
     rows = array.strides[0] if array.shape[0] > 1 else 3 * array.itemsize
     if array.strides[1] != array.itemsize or rows < 3 * array.itemsize or \
-            not array.dtype.isnative or not array.flags.aligned:
-        array = np.array(array, dtype=array.dtype.newbyteorder("="), order="C")
+            not array.flags.aligned:
+        array = np.array(array, order="C")
     return array
 
 
@@ -65,7 +67,7 @@ def faces_of(value: Any, vertices: int) -> np.ndarray:
         if array.size and int(array.max()) > INDEX_MOST:
             raise ArgumentError(f"a face has the index {int(array.max())}; indices are 0 ... "
                                 f"{vertices - 1}")
-    return np.require(array, np.uint32, "CA")
+    return np.require(array, np.uint32, ("C", "A"))
 
 
 def triangles_of(value: Any, name: str = "triangles") -> np.ndarray:
@@ -75,7 +77,7 @@ def triangles_of(value: Any, name: str = "triangles") -> np.ndarray:
         array = array[None]
     if array.ndim != 3 or array.shape[1:] != (3, 3):
         raise _shape_error(name, array, "(3, 3) or (n, 3, 3): corners, then x, y, z")
-    array = np.require(array, np.float64, "CA")
+    array = np.require(array, np.float64, ("C", "A"))
     if not np.isfinite(array).all():
         raise ArgumentError(f"{name} have NaN or infinite coordinates; mend them")
     return array
@@ -87,7 +89,7 @@ def poses_of(value: Any, name: str) -> Tuple[Optional[np.ndarray], Optional[int]
         return None, None
     if not (type(value) is np.ndarray and value.dtype == np.float64 and
             value.flags.c_contiguous and value.flags.aligned):
-        value = np.require(numbers(value, name), np.float64, "CA")
+        value = np.require(numbers(value, name), np.float64, ("C", "A"))
     if value.shape == (4, 4):
         return value, None
     if value.ndim == 3 and value.shape[1:] == (4, 4):
@@ -96,7 +98,8 @@ def poses_of(value: Any, name: str) -> Tuple[Optional[np.ndarray], Optional[int]
                        "column, last row 0 0 0 1")
 
 
-def both_poses(pose_a: Any, pose_b: Any):
+def both_poses(pose_a: Any, pose_b: Any
+               ) -> Tuple[Optional[np.ndarray], Optional[np.ndarray], int, bool]:
     """Matrices of A and B, the number of questions, and whether it is one question alone."""
     array_a, count_a = poses_of(pose_a, "pose_a")
     array_b, count_b = poses_of(pose_b, "pose_b")
@@ -105,8 +108,7 @@ def both_poses(pose_a: Any, pose_b: Any):
     if count_a is not None and count_b is not None and count_a != count_b:
         raise ArgumentError(f"pose_a has {count_a} poses and pose_b has {count_b}; give as many, "
                             "or one (4, 4) for all")
-    count = count_a if count_a is not None else count_b
-    return array_a, array_b, count, False
+    return array_a, array_b, count_a if count_a is not None else count_b or 0, False
 
 
 def number_of(value: Any, name: str, least: float, most: float) -> float:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import importlib
+from typing import Any, Dict, Tuple
 
 from ._errors import BY_CODE, MissingError
 
 
-def _load():
+def _load() -> Tuple[Any, bool]:
     """The extension and whether it is that of sepax-io. Both have the same functions; two of one
     version are never mixed, because handles of one are unknown to the other."""
     own = importlib.import_module("sepax._core")
@@ -26,7 +27,7 @@ core, has_io = _load()
 core.set_exceptions(*BY_CODE)
 
 
-def features() -> dict:
+def features() -> Dict[str, Any]:
     """What this installation can do.
 
     Returns a dict: "version" (of the C library), "simd" ("portable", "avx2" or "avx512"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 import functools
 from dataclasses import dataclass
-from typing import Iterator, Optional
+from typing import Any, Iterator, Optional
 
 import numpy as np
 
@@ -112,22 +112,26 @@ class Verdicts:
     @property
     def collides(self) -> np.ndarray:
         """(n,) of bool: proved to collide. An undecided pose is False here and in `free`."""
-        return (self.codes != Code.FREE) & (self.codes != Code.UNDECIDED)
+        collides: np.ndarray = (self.codes != Code.FREE) & (self.codes != Code.UNDECIDED)
+        return collides
 
     @property
     def free(self) -> np.ndarray:
         """(n,) of bool: proved not to collide."""
-        return self.codes == Code.FREE
+        free: np.ndarray = self.codes == Code.FREE
+        return free
 
     @property
     def inside(self) -> np.ndarray:
         """(n,) of bool: a part of one body is inside the other, and no surfaces meet."""
-        return (self.codes == Code.A_INSIDE) | (self.codes == Code.B_INSIDE)
+        inside: np.ndarray = (self.codes == Code.A_INSIDE) | (self.codes == Code.B_INSIDE)
+        return inside
 
     @property
     def decided(self) -> np.ndarray:
-        """(n,) of bool."""
-        return self.codes != Code.UNDECIDED
+        """(n,) of bool: proved to collide, or not to collide."""
+        decided: np.ndarray = self.codes != Code.UNDECIDED
+        return decided
 
     def any(self) -> bool:
         """Whether the bodies collide in any pose. Raises UndecidedError if none is proved to
@@ -145,11 +149,14 @@ class Verdicts:
     def __len__(self) -> int:
         return len(self.codes)
 
-    def __getitem__(self, n: int) -> Verdict:
-        return Verdict(self.codes[n], self.basis)
+    def __getitem__(self, n: Any) -> Any:
+        """The verdict of pose n; or of a slice, a mask or a list of numbers, these Verdicts."""
+        codes = self.codes[n]
+        return Verdicts(codes, self.basis) if isinstance(codes, np.ndarray) else \
+            Verdict(codes, self.basis)
 
     def __iter__(self) -> Iterator[Verdict]:
-        return (Verdict(code, self.basis) for code in self.codes)
+        return (self[n] for n in range(len(self)))
 
     def __repr__(self) -> str:
         return (f"<{len(self)} poses: {int(self.collides.sum())} collide, "
@@ -182,8 +189,11 @@ class Nearnesses(Verdicts):
         self.least = least
         self.triangles = triangles
 
-    def __getitem__(self, n: int) -> Nearness:
-        return Nearness(self.codes[n], self.basis, float(self.least[n]), self.triangles[n])
+    def __getitem__(self, n: Any) -> Any:
+        """The Nearness of pose n; or of a slice, a mask or a list of numbers, these Nearnesses."""
+        codes, least, triangles = self.codes[n], self.least[n], self.triangles[n]
+        return Nearnesses(codes, self.basis, least, triangles) if isinstance(codes, np.ndarray) \
+            else Nearness(codes, self.basis, float(least), triangles)
 
 
 class Distance:
@@ -200,7 +210,8 @@ class Distance:
     basis: what the interval rests on."""
     __slots__ = ("least", "value", "most", "points", "triangles", "decided", "basis")
 
-    def __init__(self, least, value, most, points, triangles, decided, rests_on: Basis) -> None:
+    def __init__(self, least: Any, value: Any, most: Any, points: np.ndarray,
+                 triangles: np.ndarray, decided: Any, rests_on: Basis) -> None:
         self.least = least
         self.value = value
         self.most = most
@@ -210,13 +221,24 @@ class Distance:
         self.basis = rests_on
 
     def __len__(self) -> int:
-        if isinstance(self.least, float):
-            raise TypeError("this is the distance of one pose")
-        return len(self.least)
+        return len(self._many())
 
-    def __getitem__(self, n: int) -> "Distance":
-        return Distance(float(self.least[n]), float(self.value[n]), float(self.most[n]),
+    def __getitem__(self, n: Any) -> "Distance":
+        """The distance in pose n; or of a slice, a mask or a list of numbers, these distances."""
+        least = self._many()[n]
+        if isinstance(least, np.ndarray):
+            return Distance(least, self.value[n], self.most[n], self.points[n],
+                            self.triangles[n], self.decided[n], self.basis)
+        return Distance(float(least), float(self.value[n]), float(self.most[n]),
                         self.points[n], self.triangles[n], bool(self.decided[n]), self.basis)
+
+    def __iter__(self) -> Iterator["Distance"]:
+        return (self[n] for n in range(len(self._many())))
+
+    def _many(self) -> np.ndarray:
+        if not isinstance(self.least, np.ndarray):
+            raise TypeError("this is the distance in one pose; use .value, .least and .most")
+        return self.least
 
     def __repr__(self) -> str:
         if isinstance(self.least, float):
@@ -225,4 +247,6 @@ class Distance:
         return f"<{len(self.least)} poses, least distance {least!r}; {self.basis}>"
 
     def __float__(self) -> float:
+        if isinstance(self.value, np.ndarray):
+            raise TypeError(f"these are the distances in {len(self.value)} poses; use .value")
         return float(self.value)

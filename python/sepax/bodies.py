@@ -12,7 +12,7 @@ import numpy as np
 from . import _arrays
 from ._errors import ArgumentError
 from ._library import core
-from ._verdicts import (Distance, Inside, Nearness, Nearnesses, Verdict, Verdicts, basis)
+from ._verdicts import (Basis, Distance, Inside, Nearness, Nearnesses, Verdict, Verdicts, basis)
 
 LENGTH_MOST = 2.0**1000
 _THROUGH = "surfaces that pass through each other"
@@ -116,10 +116,17 @@ class Body:
 
     def __len__(self) -> int:
         """Number of triangles."""
-        return core.body_triangles(self._handle)
+        count: int = core.body_triangles(self._handle)
+        return count
 
     def __repr__(self) -> str:
         return f"<Body of {len(self)} triangles, {self.coordinates}>"
+
+    def __copy__(self) -> "Body":
+        return self
+
+    def __deepcopy__(self, _: Any) -> "Body":
+        return self
 
     def __reduce__(self) -> Any:
         raise TypeError("a Body is not pickled; make it anew from its mesh in each process, or use "
@@ -149,7 +156,7 @@ def _handle(body: Any, name: str) -> Any:
     return body._handle  # pylint: disable=protected-access
 
 
-def _rests_on(a: Body, b: Body, posed: bool, question: str, distance: float = 0.0):
+def _rests_on(a: Body, b: Body, posed: bool, question: str, distance: float = 0.0) -> Basis:
     coordinates = a.coordinates if a.coordinates == b.coordinates else "float64 and float32"
     return basis(coordinates, "as given" if posed else "none", question, distance)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
@@ -15,16 +16,17 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 def cure(error: FormatError) -> FormatError:
-    """The error, with the cure of a Python user where a library is missing."""
-    text = str(error)
+    """The error, with the cure of a Python user, who has no options of a command."""
+    text = re.sub(r"give --package=(\S+):FOLDER", r"give packages={'\1': FOLDER}", str(error))
     if "because lib" in text and not has_io:
         text = text.split("; install")[0] + "; pip install sepax-io"
     return FormatError(text)
 
 
 def _lengths(unit_mm: Optional[float], result_mm: Optional[float]) -> Tuple[float, float]:
-    return tuple(0.0 if value is None else _arrays.number_of(value, name, 1e-300, 1e12)
-                 for value, name in ((unit_mm, "unit_mm"), (result_mm, "result_mm")))
+    def length(value: Optional[float], name: str) -> float:
+        return 0.0 if value is None else _arrays.number_of(value, name, 1e-300, 1e12)
+    return length(unit_mm, "unit_mm"), length(result_mm, "result_mm")
 
 
 def read_mesh(path: Path, *, unit_mm: Optional[float] = None, result_mm: Optional[float] = None,

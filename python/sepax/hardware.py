@@ -8,7 +8,7 @@ import os
 import re
 import subprocess
 from pathlib import Path as FilePath
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Tuple, Union
 
 from ._errors import ArgumentError, MissingError, SepaxError
 from .paths import program
@@ -98,7 +98,7 @@ class Design:
 def _top(folder: FilePath, prefix: str, said: Dict[str, Any]) -> str:
     """The last of the modules that are listed is the top."""
     modules = said.get("modules") or [path.stem for path in folder.glob(f"{prefix}_top.v")]
-    return modules[-1]
+    return str(modules[-1])
 
 
 def _words(options: Dict[str, Any]) -> List[str]:
@@ -205,10 +205,10 @@ def plot_accuracy(axes: Any, words: Any = (8, 10, 12, 14, 16), *, gates: float =
 
 
 def plot_area(axes: Any, words: Any = (12, 18, 24), iis: Any = (1, 2, 3, 6, 9, 18),
-              **options: Any) -> Dict[int, List[Optional[Estimate]]]:
+              **options: Any) -> Dict[int, List[Estimate]]:
     """Draw gates against throughput, a line for each word length; matplotlib's axes.
     Returns the estimates by word length, in the order of `iis`."""
-    found: Dict[int, List[Optional[Estimate]]] = {}
+    found: Dict[int, List[Estimate]] = {}
     for word in words:
         found[word] = [estimate(word=word, ii=ii, **options) for ii in iis]
         axes.errorbar([e.pairs_per_second / 1e6 for e in found[word]],

@@ -13,7 +13,7 @@ import numpy as np
 from . import _arrays
 from ._errors import ArgumentError, UndecidedWarning
 from ._library import core
-from ._verdicts import Code
+from ._verdicts import Code, Verdict
 from .bodies import Body, collide, distance, pairs
 
 EXTERNAL = "__external"
@@ -45,7 +45,7 @@ class ContactData:
             a, b, pose_a, pose_b = self._corners
             lengths, points = np.empty(1), np.empty((1, 2, 3))
             core.triangle_pairs(a, b, pose_a, pose_b, 1, None, lengths, points)
-            self._point = points[0, 0]
+            self._point = np.asarray(points[0, 0])
         return self._point
 
     @property
@@ -58,7 +58,7 @@ class ContactData:
             normal = np.cross(points[1] - points[0], points[2] - points[0])
             length = np.linalg.norm(normal)
             if length > 0:
-                return normal / length
+                return np.asarray(normal / length)
         return np.zeros(3)
 
     @property
@@ -90,7 +90,7 @@ class DistanceData:
 
     def point(self, name: Any) -> np.ndarray:
         """(3,): the nearest point of this object's surface, in the world's coordinates."""
-        return self._points[name]
+        return np.asarray(self._points[name])
 
 
 class _Found(NamedTuple):
@@ -112,7 +112,7 @@ class _Object:
     def place(self, pose: Any) -> None:
         """Take another pose."""
         matrix, count = _arrays.poses_of(pose if pose is not None else IDENTITY, "transform")
-        if count is not None:
+        if count is not None or matrix is None:
             raise ArgumentError("transform has several poses; give (4, 4)")
         core.poses_check(matrix)
         self.pose = matrix.copy()
@@ -146,8 +146,24 @@ class CollisionManager:
         self.surfaces = bool(surfaces)
         self.undecided: List[Tuple[Any, Any]] = []  # of the last question
         self._objs: Dict[Any, _Object] = {}
-        self._ignored: Set[FrozenSet] = set()
+        self._ignored: Set[FrozenSet[Any]] = set()
         self._made: Dict[int, Tuple[Any, int, Body, Any]] = {}
+
+    def __copy__(self) -> "CollisionManager":
+        """Another manager of the same bodies: to move an object of one moves none of the other."""
+        other = type(self)(surfaces=self.surfaces)
+        other.undecided = list(self.undecided)
+        other._objs = {name: _Object(name, o.body, o.corners, o.pose)
+                       for name, o in self._objs.items()}
+        other._ignored = set(self._ignored)
+        return other
+
+    def __deepcopy__(self, _: Any) -> "CollisionManager":
+        return self.__copy__()
+
+    def __repr__(self) -> str:
+        return (f"<CollisionManager of {len(self._objs)} objects, "
+                f"{len(self._ignored)} pairs ignored>")
 
     # ------------------------------------------------------------------ objects
 
@@ -179,7 +195,8 @@ class CollisionManager:
             return mesh, None
         if not hasattr(mesh, "vertices") or not hasattr(mesh, "faces"):
             raise TypeError(f"{type(mesh).__name__} is no mesh; give vertices and faces, or a Body")
-        mark = hash(mesh) if type(mesh).__hash__ is not object.__hash__ else None
+        by_identity: Any = object.__hash__
+        mark = hash(mesh) if type(mesh).__hash__ is not by_identity else None
         made = self._made.get(id(mesh))
         if made is not None and mark is not None and made[0]() is mesh and made[1] == mark:
             return made[2], made[3]
@@ -187,9 +204,9 @@ class CollisionManager:
         corners = (np.array(mesh.vertices, np.float64), np.array(mesh.faces, np.int64))
         if mark is not None:
             try:
-                number = id(mesh)
-                forget = weakref.ref(mesh, lambda _, made=self._made: made.pop(number, None))
-                self._made[number] = (forget, mark, body, corners)
+                number, known = id(mesh), self._made
+                forget = weakref.ref(mesh, lambda _: known.pop(number, None))
+                known[number] = (forget, mark, body, corners)
             except TypeError:
                 pass
         return body, corners
@@ -258,7 +275,7 @@ class CollisionManager:
         hit = False
         self.undecided = []
         for a, b in couples:
-            code = collide(a.body, b.body, a.pose, b.pose, surfaces=self.surfaces).code
+            code = _code_of(a, b, self.surfaces)
             if code == Code.UNDECIDED:
                 self.undecided.append((a.name, b.name))
             elif code != Code.FREE:
@@ -328,7 +345,7 @@ class CollisionManager:
                     break
         self._warn()
         names = naming(*best) if best else None
-        data = DistanceData((best[0].name, best[1].name), found) if best else None
+        data = DistanceData((best[0].name, best[1].name), found) if best and found else None
         length = found.value if found is not None else float("inf")
         parts = (length,) + ((names,) if return_names else ()) + ((data,) if return_data else ())
         return parts if len(parts) > 1 else length
@@ -337,7 +354,7 @@ class CollisionManager:
         """The distance of two objects if it is at most the limit; 0 if one is inside the other."""
         inside = False
         if not self.surfaces and (a.low <= b.high).all() and (b.low <= a.high).all():
-            code = collide(a.body, b.body, a.pose, b.pose).code
+            code = _code_of(a, b, False)
             inside = code in (Code.A_INSIDE, Code.B_INSIDE)
             if code == Code.UNDECIDED:
                 self.undecided.append((a.name, b.name))
@@ -350,7 +367,8 @@ class CollisionManager:
         return _Found(d.least, d.value, d.most, d.points, d.triangles)
 
 
-def scene_to_collision(scene: Any, *, surfaces: bool = False) -> Tuple[CollisionManager, Dict]:
+def scene_to_collision(scene: Any, *, surfaces: bool = False
+                       ) -> Tuple[CollisionManager, Dict[Any, Body]]:
     """A CollisionManager of a trimesh.Scene, and its bodies by the name of their node."""
     manager = CollisionManager(surfaces=surfaces)
     bodies = {}
@@ -358,6 +376,13 @@ def scene_to_collision(scene: Any, *, surfaces: bool = False) -> Tuple[Collision
         pose, geometry = scene.graph[node]
         bodies[node] = manager.add_object(node, scene.geometry[geometry], pose)
     return manager, bodies
+
+
+def _code_of(a: _Object, b: _Object, surfaces: bool) -> Code:
+    """The verdict on two objects."""
+    verdict = collide(a.body, b.body, a.pose, b.pose, surfaces=surfaces)
+    assert isinstance(verdict, Verdict)
+    return verdict.code
 
 
 def _objects(manager: Any) -> List[_Object]:

@@ -11,7 +11,7 @@ import numpy as np
 from . import _arrays
 from ._errors import ArgumentError, FormatError
 from ._library import core
-from ._verdicts import Basis, Code, Verdicts, basis
+from ._verdicts import Basis, Code, Verdict, Verdicts, basis
 from .bodies import Body, LENGTH_MOST, _handle, _shell
 from .files import Path, cure
 
@@ -58,7 +58,18 @@ class Answers(Verdicts):
                  measured: Optional[Tuple[np.ndarray, np.ndarray, np.ndarray]]) -> None:
         super().__init__(codes, rests_on)
         self.pair, self.triangles, self.pairs = pair, triangles, list(pairs)
-        self.least, self.most, self.nearest = measured or (None, None, None)
+        self.least: Optional[np.ndarray] = measured[0] if measured else None
+        self.most: Optional[np.ndarray] = measured[1] if measured else None
+        self.nearest: Optional[np.ndarray] = measured[2] if measured else None
+
+    def __getitem__(self, n: Any) -> Any:
+        """The Verdict of row n; or of a slice, a mask or a list of numbers, these Answers."""
+        codes = self.codes[n]
+        if not isinstance(codes, np.ndarray):
+            return Verdict(codes, self.basis)
+        measured = None if self.least is None or self.most is None or self.nearest is None else (
+            self.least[n], self.most[n], self.nearest[n])
+        return Answers(codes, self.basis, self.pair[n], self.triangles[n], self.pairs, measured)
 
     def names(self, n: int) -> Optional[Tuple[str, str]]:
         """The links of the pair that decides row n: near, inside or undecided; None if free."""
@@ -139,7 +150,8 @@ class Mechanism:
     def _begin(self, handle: Any) -> None:
         self._handle = handle
         self._machine = None
-        self._files = None
+        self._files: Optional[Tuple[str, Optional[str], List[Tuple[str, str]],
+                                    Optional[float]]] = None
         self.name: Optional[str] = None
         self.account: Dict[str, Any] = {}
         links, rows, root = core.mechanism_about(handle)
@@ -215,7 +227,7 @@ class Mechanism:
                                 f"{', '.join(self.driven)}")
         columns = [_arrays.numbers(values[name], f"joint {name}", "fiu") for name in self.driven]
         try:
-            columns = np.broadcast_arrays(*columns) if columns else []
+            columns = list(np.broadcast_arrays(*columns)) if columns else []
         except ValueError:
             raise ArgumentError("joints have different numbers of values") from None
         alone = not columns or columns[0].ndim == 0
@@ -244,7 +256,8 @@ class Mechanism:
         rows, _ = self._rows(values)
         low = np.array([j.lower for j in self.joints])
         high = np.array([j.upper for j in self.joints])
-        return ((rows < low) | (rows > high))[:, self._driven].any(axis=1)
+        outside: np.ndarray = ((rows < low) | (rows > high))[:, self._driven]
+        return np.asarray(outside.any(axis=1))
 
     def poses(self, values: Any, *, threads: Optional[int] = None) -> Dict[str, np.ndarray]:
         """The pose of each link in the coordinates of the root, {name: (n, 4, 4)}, or (4, 4) for
@@ -304,7 +317,8 @@ class Mechanism:
             raise ArgumentError("travel is one number for each driven joint")
         if (rows < 0).any():
             raise ArgumentError("a travel is negative; give 0 or more")
-        return rows[0]
+        first: np.ndarray = rows[0]
+        return first
 
     def certify(self, values: Any, **options: Any) -> Any:
         """Check the rows and the motion between them: see sepax.paths.certify. The mechanism must
@@ -317,8 +331,19 @@ class Mechanism:
         from .paths import page  # pylint: disable=import-outside-toplevel,cyclic-import
         return page(self, values, file, **options)
 
+    def __copy__(self) -> "Mechanism":
+        return self
+
+    def __deepcopy__(self, _: Any) -> "Mechanism":
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Mechanism is not pickled; read its URDF in each process, or use "
+                        "threads, which share it")
+
     def __repr__(self) -> str:
-        return (f"<Mechanism {self.name or ''}: {len(self.links)} links, {len(self._driven)} "
+        name = f" {self.name}" if self.name else ""
+        return (f"<Mechanism{name}: {len(self.links)} links, {len(self._driven)} "
                 f"driven joints, {len(self.bodies)} bodies, {len(self.pairs)} pairs>")
 
 
@@ -336,7 +361,7 @@ def _number(names: Sequence[str], name: Any, what: str) -> int:
                             f"{', '.join(map(str, names))}") from None
 
 
-def _rows_of(links: Sequence[str], joints: Sequence[Joint]) -> List[Tuple]:
+def _rows_of(links: Sequence[str], joints: Sequence[Joint]) -> List[Tuple[Any, ...]]:
     rows = []
     names = [_name(j.name, "a joint") if isinstance(j, Joint) else None for j in joints]
     if len(set(names)) != len(names) or len(set(links)) != len(links):
@@ -359,7 +384,8 @@ def _rows_of(links: Sequence[str], joints: Sequence[Joint]) -> List[Tuple]:
     return rows
 
 
-def _bodies_of(handle: Any, links: List[str], shapes: List[Tuple], scale: float):
+def _bodies_of(handle: Any, links: List[str], shapes: List[Tuple[Any, ...]], scale: float
+               ) -> Tuple[Dict[str, Body], Dict[str, Tuple[Body, ...]]]:
     """The body of each link, of all its shapes, and each of its shapes as a solid."""
     triangles: Dict[str, List[bytearray]] = {}
     for n, shape in enumerate(shapes):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -91,13 +92,13 @@ class PathResult:
 
     def least(self) -> Optional[PairResult]:
         """The pair with the least clearance over all rows."""
-        measured = [p for p in self.pairs if p.least is not None]
-        return min(measured, key=lambda p: p.least[1], default=None)
+        measured = [(p.least[1], n) for n, p in enumerate(self.pairs) if p.least is not None]
+        return self.pairs[min(measured)[1]] if measured else None
 
     def __repr__(self) -> str:
         least = self.least()
         near = f", least clearance {least.least[0]!r} m of {' and '.join(least.links)} in row " \
-               f"{least.row}" if least else ""
+               f"{least.row}" if least and least.least else ""
         return f"<{self.verdict}{', certified between the rows' if self.certified else ''}{near}>"
 
 
@@ -111,7 +112,8 @@ def _place(place: Optional[Dict[str, Any]]) -> Optional[Dict[str, Any]]:
 
 def _pair(said: Dict[str, Any]) -> PairResult:
     least, between = said.get("least_clearance"), said.get("between")
-    interval = tuple(x / 1000 for x in least["interval_mm"]) if least else None
+    low, high = least["interval_mm"] if least else (0, 0)
+    interval = (low / 1000, high / 1000) if least else None
     return PairResult(
         (said["a"], said["b"]), said["verdict"], dict(said["lines"]), interval,
         least["line"] - 2 if least else None,
@@ -143,7 +145,7 @@ def _csv(mechanism: Any, values: Any, times: Any) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: str) -> Dict:
+def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: str) -> Any:
     files = mechanism._files  # pylint: disable=protected-access
     if files is None:
         raise ArgumentError("the mechanism was made in Python; the motion between rows is checked "
@@ -163,9 +165,19 @@ def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: st
         raise MissingError(f"the program sepax does not run ({error}): pip install sepax-io, or "
                            "correct SEPAX_PROGRAM") from None
     if done.returncode not in VERDICTS:
-        said = done.stderr.strip().replace(path, "the path") or f"status {done.returncode}"
-        raise (FileError if "cannot" in said else SepaxError)(said)
+        raise _failed(done.stderr.strip() or f"status {done.returncode}", path)
     return json.loads(done.stdout)
+
+
+def _failed(said: str, path: str) -> SepaxError:
+    """The error of the program, in the words of a Python user: rows for lines of the path, which
+    begin after one line of names, and arguments for options."""
+    said = re.sub(r"^sepax path: ", "", said)
+    of_path = said.startswith(f"{path}:")
+    said = re.sub(rf"^{re.escape(path)}:(\d+)", lambda m: f"row {int(m[1]) - 2}", said)
+    said = said.replace(path, "the path").replace("--ignore-limits", "ignore_limits=True")
+    kind = ArgumentError if of_path else FileError if "cannot" in said else SepaxError
+    return kind(said)
 
 
 def _length(name: str, value: Optional[float]) -> List[str]:

@@ -2,7 +2,7 @@
 """Plots, for what one would rather look at. They need matplotlib."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, List, Tuple
 
 import numpy as np
 
@@ -21,7 +21,7 @@ def plot_clearance(axes: Any, answers: Answers, times: Any = None, *, unit: str 
     axes: of matplotlib. answers: of Mechanism.check with measure=True. times: (n,) seconds; None:
     the number of each row. unit: the unit of length of the mechanism.
     Raises ArgumentError if nothing was measured or `times` has another shape."""
-    if answers.least is None:
+    if answers.least is None or answers.most is None:
         raise ArgumentError("nothing was measured; give measure=True to Mechanism.check")
     x = np.arange(len(answers)) if times is None else np.asarray(times, float)
     if x.shape != (len(answers),):
@@ -40,7 +40,7 @@ def plot_clearance(axes: Any, answers: Answers, times: Any = None, *, unit: str 
         axes.set_xlim(x.min(), x.max())
 
 
-def _runs(codes: np.ndarray):
+def _runs(codes: np.ndarray) -> List[Tuple[int, int]]:
     """The first and the last row of each run of equal codes."""
     change = np.nonzero(np.diff(codes))[0] + 1
     edges = [0, *change.tolist(), len(codes)]

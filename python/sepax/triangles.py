@@ -63,7 +63,8 @@ def triangles_distance(a: Any, b: Any, pose_a: Any = None, pose_b: Any = None, *
     return lengths, points
 
 
-def _poses(pose_a: Any, pose_b: Any, count: int):
+def _poses(pose_a: Any, pose_b: Any,
+           count: int) -> Tuple[Optional[np.ndarray], Optional[np.ndarray]]:
     matrix_a, matrix_b, n, alone = _arrays.both_poses(pose_a, pose_b)
     if not alone and n != count:
         raise ArgumentError(f"{n} poses for {count} pairs of triangles; give as many, or one")
@@ -109,7 +110,7 @@ def _integers(value: Any, name: str) -> np.ndarray:
     if array.dtype != np.int32 and array.size and (
             int(array.min()) < -2**31 or int(array.max()) >= 2**31):
         raise ArgumentError(f"{name} has a coordinate that does not fit 32 bits; use Grid.quantise")
-    return np.require(array, np.int32, "CA")
+    return np.require(array, np.int32, ("C", "A"))
 
 
 def exact(a: Any, b: Any, *, threads: Optional[int] = None) -> TriangleVerdicts:
@@ -134,7 +135,8 @@ def exact_collisions(a: Any, b: Any) -> np.ndarray:
     bits = np.zeros((count + 63) // 64, np.uint64)
     core.grid_exact_bits(*columns, count, bits)
     numbers = np.arange(count)
-    return (bits[numbers // 64] >> (numbers % 64).astype(np.uint64) & np.uint64(1)) != 0
+    found: np.ndarray = bits[numbers // 64] >> (numbers % 64).astype(np.uint64) & np.uint64(1)
+    return np.asarray(found != 0)
 
 
 def exact_pairs(a: Any, b: Any, *, threads: Optional[int] = None) -> np.ndarray:
