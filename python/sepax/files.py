@@ -18,6 +18,7 @@ Path = Union[str, "os.PathLike[str]"]
 def cure(error: FormatError) -> FormatError:
     """The error, with the cure of a Python user, who has no options of a command."""
     text = re.sub(r"give --package=(\S+):FOLDER", r"give packages={'\1': FOLDER}", str(error))
+    text = re.sub(r"give --package$", "give packages={name: folder}", text)
     if "because lib" in text and not has_io:
         text = text.split("; install")[0] + "; pip install sepax-io"
     return FormatError(text)

@@ -122,6 +122,9 @@ class Mechanism:
         hold them, at most 0.25 % of the radius larger. It needs sepax-io.
         Raises FormatError (line and cure; or that sepax-io is missing), FileError, ArgumentError.
         """
+        if isinstance(urdf, str) and urdf.lstrip().startswith("<"):
+            raise ArgumentError("urdf is the text of a robot; write it into a file, and give the "
+                                "file's name")
         try:
             handle = core.robot_read(_packages(packages), urdf)
         except FormatError as error:
@@ -287,6 +290,10 @@ class Mechanism:
         Only the rows are looked at, not the motion between them: that is `certify`. Verdicts are
         exact for the poses as they are rounded. Returns Answers. Raises ArgumentError, TypeError.
         """
+        if self._machine is None and self._files is not None:
+            raise ArgumentError(f"{self._files[0]} leaves no pair to compare: {len(self.bodies)} "
+                                "links have <collision>; give it to two links that move against "
+                                "each other (<visual> is not looked at)")
         if self._machine is None:
             raise ArgumentError("no pairs of bodies are compared; give bodies to two links that "
                                 "move against each other, or pairs")

@@ -198,6 +198,24 @@ class Words(unittest.TestCase):
                           "'package://parts/x.stl'/></geometry></collision></link></robot>")
             with self.assertRaisesRegex(sepax.FormatError, "packages={'parts': FOLDER}"):
                 sepax.Mechanism.from_urdf(file)
+            with self.assertRaisesRegex(sepax.FormatError, "packages={name: folder}$"):
+                os.mkdir(os.path.join(folder, "parts"))
+                os.rename(file, os.path.join(folder, "parts", "a.urdf"))
+                sepax.Mechanism.from_urdf(os.path.join(folder, "parts", "a.urdf"))
+
+    def test_urdf(self):
+        """The text of a robot in place of a file, and a robot without collision geometry."""
+        text = "<robot name='a'><link name='l'/></robot>"
+        with self.assertRaisesRegex(sepax.ArgumentError, "write it into a file"):
+            sepax.Mechanism.from_urdf(" " + text)
+        if not sepax.features()["urdf"]:
+            self.skipTest("no sepax-io")
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "a.urdf")
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(text)
+            with self.assertRaisesRegex(sepax.ArgumentError, "0 links have <collision>"):
+                sepax.Mechanism.from_urdf(file).check(np.zeros((1, 0)))
 
     def test_limit(self):
         """A row beyond a limit is named by its number, with the argument that allows it."""
