@@ -127,11 +127,13 @@ class TreeEngine(LiteXModule):
                 sdram: str = "sdram") -> None:
         """Connect the engine to a SoC: registers as region `name` of its bus, memory to a port of
         LiteDRAM, interrupt if the processor has any. The engine reads the region `memory`; a burst
-        beyond it is a bus error. Call it after soc.add_sdram."""
+        beyond it is a bus error. Call it after soc.add_sdram. soc.mem_map[name] may give the
+        address of the region; a SoC without a processor needs that."""
         if memory not in soc.bus.regions or not hasattr(soc, sdram):
             raise ArgumentError(f"the SoC has no {memory} or no {sdram}; call add_sdram first")
         region = soc.bus.regions[memory]
-        soc.bus.add_slave(name, self.registers, SoCRegion(size=REGISTERS, cached=False))
+        soc.bus.add_slave(name, self.registers, SoCRegion(
+            origin=soc.mem_map.get(name), size=REGISTERS, cached=False))
         port = getattr(soc, sdram).crossbar.get_port(data_width=self.memory.data_width)
         inside = axi.AXIInterface(data_width=self.memory.data_width, id_width=1,
                                   address_width=self.memory.address_width)
