@@ -379,7 +379,7 @@ void bench_run(bench_batch *b) {
 
 typedef struct {
   const char *path[3], *wave, *jobs;
-  unsigned long long stress, rounds, latency, modes, budget, fuzz, sound, scene;
+  unsigned long long stress, rounds, latency, modes, budget, fuzz, sound, late, scene;
   double resolution;
   int paths;
 } command;
@@ -399,8 +399,8 @@ static void parse(command *c, const char *text) {
   if (number_after(text, "--stress=", &c->stress) || number_after(text, "--rounds=", &c->rounds) ||
       number_after(text, "--latency=", &c->latency) || number_after(text, "--modes=", &c->modes) ||
       number_after(text, "--budget=", &c->budget) || number_after(text, "--fuzz=", &c->fuzz) ||
-      number_after(text, "--sound=", &c->sound) || number_after(text, "--scene=", &c->scene) ||
-      text[0] == '+') {
+      number_after(text, "--sound=", &c->sound) || number_after(text, "--late=", &c->late) ||
+      number_after(text, "--scene=", &c->scene) || text[0] == '+') {
     return;
   }
   if (strncmp(text, "--resolution=", 13) == 0) {
@@ -450,6 +450,8 @@ int main(int argc, char **argv) {
     bench_scene((size_t)c.scene, c.stress);
   } else if (c.fuzz > 0) {
     bench_fuzz(c.fuzz, c.stress);
+  } else if (c.late > 0) {
+    bench_late(c.late);
   } else if (c.sound > 0) {
     bench_sound(c.sound, c.stress, c.stress > 0);
   } else {

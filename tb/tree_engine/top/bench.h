@@ -77,6 +77,9 @@ void bench_rounds(unsigned long long rounds, uint64_t seed, bool stressed);
 /* Seeded bodies, poses and modes alone. */
 void bench_sound(unsigned long long rounds, uint64_t seed, bool stressed);
 
+/* Poses that end quickly while their results are taken late, 1 ... 8 transfers at a time. */
+void bench_late(uint64_t seed);
+
 /* Small bodies, of which, as of jobs and poses, any bytes are damaged. */
 void bench_fuzz(unsigned long long batches, uint64_t seed);
 

@@ -5,6 +5,7 @@
 #include "rounds.h"
 #include "tree_engine/format.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -256,6 +257,77 @@ static void stops(void) {
     expect("it ends", busy, 0);
   }
   free_scene(&s);
+}
+
+/* ------------------------------------------------------------------ late results */
+
+enum { LATE_POSES = 40 };
+
+typedef struct {
+  sepax_outcome pose[LATE_POSES];
+  size_t count;
+} outcomes;
+
+static void keep_outcome(void *context, const sepax_outcome *outcome, bool right) {
+  outcomes *kept = context;
+  (void)right;
+  if (kept->count < LATE_POSES) {
+    kept->pose[kept->count++] = *outcome;
+  }
+}
+
+void bench_late(uint64_t seed) {
+  for (uint64_t n = 0; n < 8 && wrong == 0; n++) {
+    scene s;
+    outcomes kept = {.count = 0};
+    if (n == 0) {
+      bench_sound(1, seed, false); /* the seed */
+    }
+    bench_batch batch = {.hits = 0};
+    while (batch.hits < LATE_POSES / 4) { /* without a collision the last transfers are 0 */
+      if (kept.count > 0) {
+        free_scene(&s);
+      }
+      simple_scene(&s, LATE_POSES, true);
+      bench_at(s.job[0])[MODES] = SEPAX_TREE_QUIET;
+      batch = batch_of(&s);
+      kept.count = 0;
+      batch.told = keep_outcome;
+      batch.context = &kept;
+      bench_attach((memory_options){.latency = 2});
+      bench_run(&batch);
+    }
+    bus_limit(1000000);
+    bus_block_results(true);
+    expect("START", sepax_tree_device_start(&device, bench_address(s.batch.list), 1),
+           SEPAX_TREE_DEVICE_OK);
+    for (size_t k = 0; k < 8 * kept.count; k += 1 + n) { /* so many transfers, then none */
+      bus_idle(400);
+      bus_block_results(false);
+      bus_idle(1 + n);
+      bus_block_results(true);
+    }
+    bus_block_results(false);
+    for (size_t k = 0; k < kept.count && wrong == 0; k++) {
+      sepax_outcome o = {.job = 1};
+      sepax_tree_device_status status = sepax_tree_device_take(&device, NULL, NULL, &o);
+      expect("a pose whose results are taken late",
+             status == SEPAX_TREE_DEVICE_OK || status == SEPAX_TREE_DEVICE_NO_VERDICT, 1);
+      expect("its number", o.pose, kept.pose[k].pose);
+      expect("its status", o.status, kept.pose[k].status);
+      expect("its near pairs", o.near, kept.pose[k].near);
+      for (int i = 0; i < 2; i++) {
+        expect("its first pair", o.first[i], kept.pose[k].first[i]);
+        expect("its first row", o.row[i], kept.pose[k].row[i]);
+      }
+    }
+    bool busy = true;
+    for (int k = 0; k < 1000 && busy; k++) {
+      expect("busy", sepax_tree_device_busy(&device, &busy), SEPAX_TREE_DEVICE_OK);
+    }
+    free_scene(&s);
+  }
+  printf("results taken late: %llu cycles, %llu wrong\n", (unsigned long long)bus_cycles(), wrong);
 }
 
 void partners(uint64_t seed) {
