@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""setup.py - builds the package sepax-io: the extension of sepax with all readers, and the program
-sepax. It needs libxml2, libzip, jansson and libmd with their headers, pkg-config and make. The
-sources are those of the checkout; the source distribution has a copy of them in `project`."""
+"""setup.py - builds the package sepax-io: the extension of sepax with all readers, and the programs
+sepax and sepax-certificate-check. It needs libxml2, libzip, jansson and libmd with their headers,
+pkg-config and make. The sources are those of the checkout; the source distribution has a copy of
+them in `project`."""
 import glob
 import os
 import shutil
@@ -31,17 +32,22 @@ def lacking():
             if subprocess.run(["pkg-config", "--exists", name], check=False).returncode != 0]
 
 
+PROGRAMS = ("sepax", "sepax-certificate-check")
+
+
 class Build(build_core.BuildExt):
-    """Also builds the program, and puts it beside the extension."""
+    """Also builds the programs, and puts them beside the extension."""
 
     def run(self):
         super().run()
         # Relative, as make is called elsewhere: it knows by these names what an object is made of.
         build = os.path.relpath(os.environ.get("SEPAX_BUILD") or os.path.join(ROOT, "build"), ROOT)
-        subprocess.run(["make", "-s", "-C", ROOT, f"BUILD={build}", f"{build}/sepax"], check=True)
+        subprocess.run(["make", "-s", "-C", ROOT, f"BUILD={build}",
+                        *(f"{build}/{name}" for name in PROGRAMS)], check=True)
         folder = os.path.join(self.build_lib, "sepax_io", "bin")
         os.makedirs(folder, exist_ok=True)
-        shutil.copy(os.path.join(ROOT, build, "sepax"), folder)
+        for name in PROGRAMS:
+            shutil.copy(os.path.join(ROOT, build, name), folder)
 
 
 class SourceDistribution(sdist):

@@ -114,8 +114,9 @@ class Mechanism:
                   surfaces: bool = False) -> "Mechanism":
         """Read a robot: links, joints and collision geometry, with its mesh files.
 
-        srdf: disables pairs. Without it all pairs are compared but those of links that one joint,
-          or fixed joints alone, hold together. packages: {name: folder} of package://name/.
+        srdf: disables pairs. With it all pairs are compared but those that it disables, and those
+          that fixed joints alone hold together; without it, neighbours at one joint are left out,
+          too. packages: {name: folder} of package://name/.
         unit: length in metres of the unit of mesh files; None: as they say, STL, OBJ and PLY in
           metres. surfaces: True does not look whether a body is inside another.
         Lengths are metres, angles radians. Spheres, cylinders and capsules become polyhedra that
@@ -138,8 +139,9 @@ class Mechanism:
         numbers = np.frombuffer(found, np.uintp).reshape(-1, 2)
         pairs = [(mechanism.links[a], mechanism.links[b]) for a, b in numbers]
         mechanism._complete(bodies, solids, pairs, surfaces)
-        mechanism._files = (os.fspath(urdf), None if srdf is None else os.fspath(srdf),
-                            _packages(packages), unit)
+        mechanism._files = (os.path.abspath(urdf), None if srdf is None else os.path.abspath(srdf),
+                            [(name, os.path.abspath(folder)) for name, folder in
+                             _packages(packages)], unit)
         mechanism.name = name
         mechanism.account = {"shapes": len(shapes), "without_surface": [
             mechanism.links[link] for link, _ in bare], "passed_over": others,
@@ -294,6 +296,9 @@ class Mechanism:
             raise ArgumentError(f"{self._files[0]} leaves no pair to compare: {len(self.bodies)} "
                                 "links have <collision>; give it to two links that move against "
                                 "each other (<visual> is not looked at)")
+        if not self.bodies and self._files:
+            raise ArgumentError("no link of the URDF has a <collision> element, so there are no "
+                                "bodies; a <visual> is none")
         if self._machine is None:
             raise ArgumentError("no pairs of bodies are compared; give bodies to two links that "
                                 "move against each other, or pairs")

@@ -46,8 +46,9 @@ class Certificate(NamedTuple):
     """What was proved of one pair of bodies between the rows.
 
     certified: free from the first row to the last. intervals: into how many the motion was
-    divided. open, collision: where it is open, or where bodies meet, as a dict with `row`, `part`
-    (of the way to the next row, 0 ... 1); None if there is no such place."""
+    divided. open, collision: where it is open, or where bodies meet; None if there is no such
+    place. A place is a dict: `row`; `part` of the way to the next row, 0 ... 1, or its two ends;
+    of a collision also `values`, {name of a joint: value}; of an open place `distance` in m."""
     certified: bool
     intervals: int
     open: Optional[Dict[str, Any]]
@@ -67,18 +68,34 @@ class PairResult(NamedTuple):
     between: Optional[Certificate]
 
 
+class Place(NamedTuple):
+    """Where a path is not free first. row: number of the row. part: of the way to the next row,
+    0 ... 1; 0: in the row itself. links: the names of the two bodies. values: {name of a joint:
+    value}."""
+    row: int
+    part: float
+    links: Tuple[str, str]
+    values: Dict[str, float]
+
+
 class PathResult:
-    """The verdict on a path.
+    """The verdict on a path; ask `free`, as the result itself is neither true nor false.
 
     verdict: "free", "collision", "warning" or "undecided". pairs: a PairResult for each pair.
+    first: the Place where it is not free first; None if all is free, or if the place is not known.
     proof: the file of the proof; None if none was asked for, or if not all is free.
-    said: all that the program said, as a dict."""
+    said: all that the program said, as a dict; its lines are those of a file in which row 0 is
+    line 2."""
 
     def __init__(self, said: Dict[str, Any], proof: Optional[str]) -> None:
         self.said = said
         self.verdict: str = said["verdict"]
         self.proof = proof
         self.pairs: List[PairResult] = [_pair(p) for p in said["pairs"]]
+        self.first = _first(said)
+
+    def __bool__(self) -> bool:
+        raise TypeError("the verdict on a path is neither true nor false; use .free or .verdict")
 
     @property
     def free(self) -> bool:
@@ -99,15 +116,43 @@ class PathResult:
         least = self.least()
         near = f", least clearance {least.least[0]!r} m of {' and '.join(least.links)} in row " \
                f"{least.row}" if least and least.least else ""
-        return f"<{self.verdict}{', certified between the rows' if self.certified else ''}{near}>"
+        first = ""
+        if self.first:
+            links, row = " and ".join(self.first.links), self.first.row
+            first = f" of {links} " + (f"between rows {row} and {row + 1}" if self.first.part
+                                       else f"in row {row}")
+            near = ""
+        return (f"<{self.verdict}{first}{', certified between the rows' if self.certified else ''}"
+                f"{near}>")
 
 
 def _place(place: Optional[Dict[str, Any]]) -> Optional[Dict[str, Any]]:
     """Lines of the file are 1 for the header, so row 0 is line 2."""
     if place is None:
         return None
-    return {("row" if key == "line" else key): (value - 2 if key == "line" else value)
-            for key, value in place.items()}
+    found = {"row": place["from"]["line"] - 2, "part": place["part"]}
+    if "values_m_rad" in place:
+        found["values"] = place["values_m_rad"]
+    if place.get("distance_mm") is not None:
+        found["distance"] = place["distance_mm"] / 1000
+    return found
+
+
+def _first(said: Dict[str, Any]) -> Optional[Place]:
+    """The first place, and the pair of which this is the first place."""
+    place = said.get("first")
+    for pair in said["pairs"] if place else ():
+        between = (pair.get("between") or {}).get("collision")
+        if place["part"]:
+            here = between is not None and (between["from"]["line"], between["part"]) == (
+                place["line"], place["part"])
+        else:
+            here = any(pair["first"][kind] and pair["first"][kind]["line"] == place["line"]
+                       for kind in ("collision", "undecided", "warning"))
+        if here:
+            return Place(place["line"] - 2, place["part"], (pair["a"], pair["b"]),
+                         dict(place.get("values_m_rad") or {}))
+    return None
 
 
 def _pair(said: Dict[str, Any]) -> PairResult:
@@ -172,10 +217,14 @@ def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: st
 def _failed(said: str, path: str) -> SepaxError:
     """The error of the program, in the words of a Python user: rows for lines of the path, which
     begin after one line of names, and arguments for options."""
-    said = re.sub(r"^sepax path: ", "", said)
-    of_path = said.startswith(f"{path}:")
-    said = re.sub(rf"^{re.escape(path)}:(\d+)", lambda m: f"row {int(m[1]) - 2}", said)
+    said = re.sub(r"^(\S*/)?sepax path: ", "", said)
+    of_path = f"{path}:" in said
+    said = re.sub(rf"{re.escape(path)}:(\d+)", lambda m: f"row {int(m[1]) - 2}", said)
     said = said.replace(path, "the path").replace("--ignore-limits", "ignore_limits=True")
+    said = re.sub(r"--package=(\w+):FOLDER", r'packages={"\1": FOLDER}', said)
+    said = re.sub(r"--(clearance|warning|resolution|intervals|unit)\b", r"\1", said)
+    if " rad is " in said and "limit" in said:
+        said += "; a value of this joint is in radians"
     kind = ArgumentError if of_path else FileError if "cannot" in said else SepaxError
     return kind(said)
 
@@ -191,11 +240,13 @@ def certify(mechanism: Any, values: Any, *, times: Any = None, clearance: Option
             intervals: Optional[int] = None, proof: Optional[Path] = None,
             ignore_limits: bool = False, threads: Optional[int] = None) -> PathResult:
     """Check the rows of a path and the motion between them, in which all joints move linearly.
+    The files of the mechanism are read again, as the proof names them with their sums.
 
     mechanism: of Mechanism.from_urdf. values: rows of joint values, as for Mechanism.check.
     times: (n,) seconds, or None. clearance, warning: lengths in m; up to `clearance` two bodies
       collide, up to `warning` they are reported. resolution: motions of so many m are not divided
-      further (1e-6). intervals: at most so many for each pair (262,144).
+      further (1e-6). intervals: at most so many for each pair (262,144), and
+      one for each motion.
     proof: a folder that gets path.csv and certificate.json, the proof for the program
       sepax-certificate-check (docs/reference/certificate.md).
     ignore_limits: accept values beyond the limits of their joints.
@@ -211,10 +262,17 @@ def certify(mechanism: Any, values: Any, *, times: Any = None, clearance: Option
     if proof is None:
         with tempfile.TemporaryDirectory() as folder:
             return PathResult(_run(mechanism, values, times, options, folder), None)
-    os.makedirs(proof, exist_ok=True)
+    try:
+        os.makedirs(proof, exist_ok=True)
+    except OSError as error:
+        raise _not_written(proof, error) from None
     file = os.path.join(os.fspath(proof), "certificate.json")
     said = _run(mechanism, values, times, [*options, f"--certificate={file}"], os.fspath(proof))
-    return PathResult(said, file if said.get("certificate") else None)
+    return PathResult(said, file if said["verdict"] == "free" and os.path.exists(file) else None)
+
+
+def _not_written(path: Path, error: OSError) -> FileError:
+    return FileError(f"{os.fspath(path)}: {error.strerror}; give a place that can be written")
 
 
 class Page:
@@ -250,6 +308,9 @@ def page(mechanism: Any, values: Any, file: Optional[Path] = None, *, times: Any
         with open(made, encoding="utf-8") as text:
             html = text.read()
     if file is not None:
-        with open(file, "w", encoding="utf-8") as out:
-            out.write(html)
+        try:
+            with open(file, "w", encoding="utf-8") as out:
+                out.write(html)
+        except OSError as error:
+            raise _not_written(file, error) from None
     return Page(html, height)

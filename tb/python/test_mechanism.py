@@ -180,11 +180,67 @@ class FromFile(unittest.TestCase):
         self.assertEqual(got.least().row, int(measured.least.argmin()))
         through = self.robot.certify([[0, 1], [0, -2]], times=[0, 1])
         self.assertEqual((through.verdict, through.certified), ("collision", False))
+        self.assertIsNone(got.first)
+        self.assertEqual((through.first.row, through.first.part), (1, 0.0))
+        self.assertEqual(through.first.links, ("base", "hand"))
+        self.assertIn("collision of base and hand in row 1", repr(through))
+        with self.assertRaisesRegex(TypeError, "free"):
+            bool(got)
+        bad = self.robot.certify([[0, 1], [0, -2]], proof=os.path.join(self.folder, "none"))
+        self.assertIsNone(bad.proof)
+        # Turned through a body between two rows that are free.
+        tunnel = self.robot.certify([[0, 0], [0, 0]], clearance=1.9)
+        self.assertTrue(tunnel.free)
         between = self.robot.certify({"turn": [0.0, 0.0], "slide": [0.0, 0.5]}, clearance=2.1)
         self.assertEqual(between.verdict, "collision")
         self.assertIn("certified", repr(got))
-        with self.assertRaisesRegex(sepax.SepaxError, "limit"):
-            self.robot.certify([[0, 99]])
+        with self.assertRaisesRegex(sepax.ArgumentError, "^row 1: .*limit.*ignore_limits=True"):
+            self.robot.certify([[0, 0], [0, 99]])
+        with self.assertRaisesRegex(sepax.FileError, "give a place"):
+            self.robot.certify(path, proof="/proc/none")
+        with self.assertRaisesRegex(sepax.ArgumentError, "text of a robot"):
+            sepax.Mechanism.from_urdf("<robot name='r'/>")
+        here = os.getcwd()
+        os.chdir("/")
+        try:
+            self.assertTrue(self.robot.certify(path).free)
+        finally:
+            os.chdir(here)
+
+    def test_between_rows(self):
+        """Bodies that meet between two free rows: the place is told, by rows."""
+        file = os.path.join(self.folder, "post.urdf")
+        box = ("<link name='{}'><collision><origin xyz='2 0 0'/><geometry><box size='{} {} 1'/>"
+               "</geometry></collision></link>")
+        joint = ("<joint name='{}' type='revolute'><parent link='{}'/><child link='{}'/>"
+                 "<axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>")
+        with open(file, "w", encoding="utf-8") as out:
+            out.write("<robot name='r'>" + box.format("post", .01, .01) +
+                      box.format("arm", .1, .1) +
+                      "<link name='m'/>" + joint.format("i", "post", "m") +
+                      joint.format("j", "m", "arm") + "</robot>")
+        robot = sepax.Mechanism.from_urdf(file)
+        path = [[0, -1.5], [0, -1], [0, 1], [0, 1.2]]
+        self.assertFalse(robot.check(path).collides.any())
+        got = robot.certify(path)
+        self.assertEqual((got.verdict, got.first.row, got.first.links),
+                         ("collision", 1, ("post", "arm")))
+        self.assertAlmostEqual(got.first.part, 0.4862, 3)
+        self.assertEqual(set(got.first.values), {"i", "j"})
+        self.assertIn("of post and arm between rows 1 and 2", repr(got))
+        place = got.pairs[0].between.collision
+        self.assertEqual((place["row"], place["part"]), (1, got.first.part))
+        self.assertTrue(robot.check([list(got.first.values.values())]).collides[0])
+        only_visual = os.path.join(self.folder, "visual.urdf")
+        with open(only_visual, "w", encoding="utf-8") as out:
+            out.write("<robot name='r'><link name='a'><visual><geometry><box size='1 1 1'/>"
+                      "</geometry></visual></link></robot>")
+        with self.assertRaisesRegex(sepax.ArgumentError, "<collision>"):
+            sepax.Mechanism.from_urdf(only_visual).check(np.zeros((1, 0)))
+
+    def test_certify_refused(self):
+        """What cannot be certified is told."""
+        path = [[-1, 0], [1, 0], [1, 1.5]]
         self.assertTrue(self.robot.certify([[0, 99]], ignore_limits=True).free)
         with self.assertRaisesRegex(sepax.ArgumentError, "from_urdf"):
             arm().certify(path)
