@@ -130,8 +130,7 @@ static void records_at_pages(void) {
   bench_clear();
   size_t bytes;
   const uint8_t *image = sepax_tree_image(s.tree[0], &bytes);
-  uint8_t *job = malloc(SEPAX_TREE_JOB_BYTES + SEPAX_TREE_POSE_STRIDE);
-  stop_on(job == NULL, "out of memory");
+  uint8_t job[SEPAX_TREE_JOB_BYTES + SEPAX_TREE_POSE_STRIDE];
   memcpy(job, bench_at(s.job[0]), SEPAX_TREE_JOB_BYTES);
   memcpy(job + SEPAX_TREE_JOB_BYTES, bench_at(s.pose[0]), SEPAX_TREE_POSE_STRIDE);
   /* Again, with four pages behind A's image. */
@@ -161,7 +160,6 @@ static void records_at_pages(void) {
     bench_run(&batch);
     expect("a record across a page is damaged", batch.damaged, over > 0 && over < beats);
   }
-  free(job);
   free_scene(&s);
 }
 
@@ -278,7 +276,7 @@ static void keep_outcome(void *context, const sepax_outcome *outcome, bool right
 
 void bench_late(uint64_t seed) {
   for (uint64_t n = 0; n < 8 && wrong == 0; n++) {
-    scene s;
+    scene s = {0};
     outcomes kept = {.count = 0};
     if (n == 0) {
       bench_sound(1, seed, false); /* the seed */
