@@ -141,7 +141,9 @@ def _place(place: Optional[Dict[str, Any]]) -> Optional[Dict[str, Any]]:
 def _first(said: Dict[str, Any]) -> Optional[Place]:
     """The first place, and the pair of which this is the first place."""
     place = said.get("first")
-    for pair in said["pairs"] if place else ():
+    if place is None:
+        return None
+    for pair in said["pairs"]:
         between = (pair.get("between") or {}).get("collision")
         if place["part"]:
             here = between is not None and (between["from"]["line"], between["part"]) == (
