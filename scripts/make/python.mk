@@ -22,5 +22,5 @@ $(BUILD)/python_scenes: $(BUILD)/obj/tb/python/scenes.o $(BUILD)/obj/tb/benchmar
 	@echo "  LINK    $@"
 	@$(aside) $(CXX) $^ -lm -pthread -o $$new && $(in_place)
 experiment-bench-python: $(BUILD)/python_scenes $(BUILD)/python/site.made
-	@MESH_DIR="$(MESH_DIR)" PYTHON="$(PYTHON)" scripts/experiments/bench-python \
+	@MESH_DIR="$(MESH_DIR)" $(PYTHON) scripts/experiments/bench-python \
 	  $(BUILD)/bench-python $(if $(call given,COUNT),$(COUNT),10000) $(MESHES)
