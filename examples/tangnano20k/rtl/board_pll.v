@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tangnano20k_pll.v
+// board_pll.v
 //
 // The board's 27 MHz to the clock of the engine: 27 MHz * MULTIPLY / DIVIDE. The PLL's oscillator
 // runs at that times OUTPUT, which must be 500 ... 1250 MHz; 27 MHz / DIVIDE must be 3 MHz or more
@@ -7,14 +7,14 @@
 
 `default_nettype none
 
-module tangnano20k_pll #(
+module board_pll #(
   parameter MULTIPLY = 40, // divider of the feedback, 1 ... 64
   parameter DIVIDE = 9,    // divider of the 27 MHz, 1 ... 9
   parameter OUTPUT = 8     // divider of the oscillator: 2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128
 ) (
-  input  wire clk_27mhz, // 27 MHz
-  output wire clk,       // the engine's clock
-  output wire locked     // it is stable
+  input  wire clk_in, // 27 MHz
+  output wire clk,    // the engine's clock
+  output wire locked  // it is stable
 );
   wire unused_p, unused_d, unused_d3;
 
@@ -27,7 +27,7 @@ module tangnano20k_pll #(
     .CLKOUTD_BYPASS("false"), .CLKOUTD_SRC("CLKOUT"), .CLKOUTD3_SRC("CLKOUT"),
     .DEVICE("GW2AR-18C")
   ) pll (
-    .CLKIN(clk_27mhz), .CLKFB(1'b0), .RESET(1'b0), .RESET_P(1'b0), .FBDSEL(6'd0), .IDSEL(6'd0),
+    .CLKIN(clk_in), .CLKFB(1'b0), .RESET(1'b0), .RESET_P(1'b0), .FBDSEL(6'd0), .IDSEL(6'd0),
     .ODSEL(6'd0), .PSDA(4'd0), .DUTYDA(4'd0), .FDLY(4'd0), .CLKOUT(clk), .LOCK(locked),
     .CLKOUTP(unused_p), .CLKOUTD(unused_d), .CLKOUTD3(unused_d3)
   );
