@@ -30,6 +30,7 @@ from sepax.litex import TreeEngine
 
 HERE = Path(__file__).resolve().parent
 DRIVER = HERE.parent.parent / "drivers" / "tree_engine"
+BYTES = HERE.parent / "soc" / "firmware"
 RISCV = os.environ.get("RISCV", "riscv64-unknown-elf-")  # prefix of the compiler
 CLOCK = 100_000_000
 BUS_ERROR = 1 << 4  # bit of the status of a pose
@@ -157,10 +158,10 @@ def firmware(chip, folder, scene):
     soc = Path(export.__file__).parent.parent
     elf, binary = made / "firmware.elf", made / "firmware.bin"
     sources = [HERE / "firmware" / "start.S", HERE / "firmware" / "main.c",
-               DRIVER / "sepax_tree_driver.c"]
+               BYTES / "bytes.c", DRIVER / "sepax_tree_driver.c"]
     subprocess.run([f"{RISCV}gcc", "-march=rv32im", "-mabi=ilp32", "-Os", "-std=gnu11",
                     "-ffreestanding", "-nostdlib", "-Wall", "-Wextra", "-Werror", f"-I{made}",
-                    f"-I{DRIVER}", "-isystem", soc / "software" / "include",
+                    f"-I{DRIVER}", f"-I{BYTES}", "-isystem", soc / "software" / "include",
                     "-isystem", soc / "cores" / "cpu" / "vexriscv", f"-L{made}",
                     "-T", HERE / "firmware" / "firmware.ld", "-Wl,--no-warn-rwx-segments",
                     "-o", elf, *sources, "-lgcc"], check=True)

@@ -3,6 +3,7 @@
  * scene.h: for all pairs, and for the first one. Then it gives the engine what is not wholly in the
  * SDRAM, and asks once more. Each answer is a line on the UART; soc.py compares them with the
  * library's. */
+#include "bytes.h"
 #include "sepax_tree_driver.h"
 #include "sepax_tree_registers.h"
 
@@ -11,27 +12,6 @@
 #include <generated/soc.h>
 
 #include "scene.h"
-
-/* What the compiler calls. */
-void *memset(void *to, int value, size_t count);
-void *memcpy(void *restrict to, const void *restrict from, size_t count);
-
-void *memset(void *to, int value, size_t count) {
-  volatile uint8_t *byte = to;
-  while (count-- > 0) {
-    *byte++ = (uint8_t)value;
-  }
-  return to;
-}
-
-void *memcpy(void *restrict to, const void *restrict from, size_t count) {
-  volatile uint8_t *byte = to;
-  const uint8_t *next = from;
-  while (count-- > 0) {
-    *byte++ = *next++;
-  }
-  return to;
-}
 
 static void letter(char c) {
   while (uart_txfull_read() != 0) {}

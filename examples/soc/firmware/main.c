@@ -13,27 +13,6 @@
 enum { VERTEX = 0x80 / 4, SEND = 0x8c / 4, STATE = 0x90 / 4, LOW = 0x94 / 4, HIGH = 0x98 / 4 };
 enum { RESULT = 1, LAST = 2, REFUSED = 4 };
 
-/* What the compiler calls. */
-void *memset(void *to, int value, size_t count);
-void *memcpy(void *restrict to, const void *restrict from, size_t count);
-
-void *memset(void *to, int value, size_t count) {
-  volatile uint8_t *byte = to;
-  while (count-- > 0) {
-    *byte++ = (uint8_t)value;
-  }
-  return to;
-}
-
-void *memcpy(void *restrict to, const void *restrict from, size_t count) {
-  volatile uint8_t *byte = to;
-  const uint8_t *next = from;
-  while (count-- > 0) {
-    *byte++ = *next++;
-  }
-  return to;
-}
-
 static void text(const char *c) {
   while (*c != '\0') {
     CONSOLE = (uint32_t)*c++;
