@@ -315,12 +315,14 @@ static void check_pairs(const proof *p) {
 }
 
 static const char usage[] = "usage: sepax-certificate-check [-p NAME:FOLDER] FILE";
+static const char version[] = "0.2.0"; /* that of sepax; tb/system/install compares them */
 
 static void print_help(void) {
   printf("%s\n\n"
          "Does FILE, a certificate that sepax path --certify --certificate=FILE wrote, prove that\n"
          "the bodies of its URDF do not collide on its path? Shares no code with sepax.\n\n"
-         "  -p NAME:FOLDER   where package://NAME/ is; may be given again\n\n"
+         "  -p NAME:FOLDER   where package://NAME/ is; may be given again\n"
+         "  --version        the version of sepax to which the program belongs\n\n"
          "Exit status: 0 accepted, 1 rejected, 2 error.\n",
          usage);
 }
@@ -329,6 +331,10 @@ int main(int count, char **words) {
   atexit(report_at_exit);
   if (count == 2 && strcmp(words[1], "--help") == 0) {
     print_help();
+    return 0;
+  }
+  if (count == 2 && strcmp(words[1], "--version") == 0) {
+    printf("sepax-certificate-check %s\n", version);
     return 0;
   }
   packages folders = {NULL, 0};
