@@ -8,8 +8,9 @@
 
 #include <math.h>
 
+/* An emitter without a design has these modules, or has refused one. */
 static void gen_once(emitter *e, const char *name) {
-  if (emit_find(e, name) == NULL) {
+  if (emit_works(e) && emit_find(e, name) == NULL) {
     const gen_line word = gen_format("%d", e->design->config.word);
     emit_template(e, name, (emit_hole[]){{"word", word.text}, {NULL, NULL}});
   }

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* emit.c - what the Verilog templates may say, what of it is refused, and that every design passes.
  */
+#include "arith/arith.h"
 #include "conference/conference.h"
 #include "emit/prefix.h"
 #include "emit/template.h"
 #include "harness.h"
 #include "paper/paper.h"
+#include "tree_engine/boxes/boxes.h"
+#include "tree_engine/memory/memory.h"
+#include "tree_engine/walk/walk.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -328,6 +332,24 @@ CASE(test_print) {
       "(* keep_hierarchy *)\nmodule m_3 (\n  input wire a, // bit\n  output wire y // bit\n);\n"
       "  assign y = a;\nendmodule\n\n`default_nettype wire\n");
   free(text);
+  emit_free(&e);
+}
+
+/* After a refusal the modules of the tree engine, which need no design, say no more and do no harm.
+ */
+CASE(test_refused) {
+  emitter e;
+  emit_init(&e, NULL, "test");
+  assert_false(emit_template_text(&e, "first", "module first;\n", NULL));
+  const sepax_error refused = e.error;
+  gen_tree_ram(&e, false);
+  gen_tree_memory(&e, false);
+  gen_multiplier_parts(&e, false);
+  gen_turn_vertex(&e, delay_model_of(SEPAX_TARGET_ASIC), 18);
+  gen_tree_compare(&e, delay_model_of(SEPAX_TARGET_ASIC));
+  gen_tree_walk(&e, false, 3);
+  assert_non_null(strstr(refused.text, "generator refuses first"));
+  assert_string_equal(e.error.text, refused.text);
   emit_free(&e);
 }
 
