@@ -5,20 +5,32 @@
 
 #include <stdio.h>
 
+/* The longest edge that both objects may have along an axis. */
+#ifdef SEPAX_EXTENT_A
+#define LONGEST ((int64_t)(SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B))
+#else
+#define LONGEST (2 * (int64_t)sepax_word_max(SEPAX_WORD))
+#endif
+
 /* Triangles that all hold the middle of the space. */
 static void draw_about_middle(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b) {
-  int32_t far = sepax_word_max(SEPAX_WORD);
-#ifdef SEPAX_EXTENT_A
-  far = (SEPAX_EXTENT_A < SEPAX_EXTENT_B ? SEPAX_EXTENT_A : SEPAX_EXTENT_B) / 2;
-#endif
+  const int64_t low = -(LONGEST / 2);
+  const int64_t high = LONGEST + low;
   for (size_t i = 0; i < count_a + count_b; i++) {
     sepax_tri *t = i < count_a ? &a[i] : &b[i - count_a];
     t->v[0] =
-        (sepax_vec){(int32_t)-range(0, far), (int32_t)-range(0, far), (int32_t)-range(0, far)};
-    t->v[1] = (sepax_vec){(int32_t)range(0, far), (int32_t)range(0, far), (int32_t)range(0, far)};
-    t->v[2] = (sepax_vec){(int32_t)range(-far, far), (int32_t)range(-far, far),
-                          (int32_t)range(-far, far)};
+        (sepax_vec){(int32_t)-range(0, -low), (int32_t)-range(0, -low), (int32_t)-range(0, -low)};
+    t->v[1] =
+        (sepax_vec){(int32_t)range(0, high), (int32_t)range(0, high), (int32_t)range(0, high)};
+    t->v[2] = (sepax_vec){(int32_t)range(low, high), (int32_t)range(low, high),
+                          (int32_t)range(low, high)};
   }
+}
+
+/* A triangle that meets itself and nothing on the other side of the middle. */
+static sepax_tri there(void) {
+  return LONGEST > 1 ? (sepax_tri){{{-3, -1, -1}, {-1, 1, 0}, {-2, 0, 1}}}
+                     : (sepax_tri){{{-2, -1, -1}, {-1, 0, -1}, {-1, 0, 0}}};
 }
 
 /* Every AABB overlaps every other. */
@@ -120,18 +132,17 @@ static void slanted_planes(sepax_tri *a, sepax_tri *b, size_t count, bool paced)
 /* Stretches of B of which A meets all, and none: queues fill, and run empty behind the last step.
  */
 static void bursts(sepax_tri *a, sepax_tri *b, bool paced) {
-  static const sepax_tri there = {{{-3, -1, -1}, {-1, 1, 0}, {-2, 0, 1}}};
   static const sepax_tri away = {{{2, 1, -1}, {4, -1, 0}, {3, 0, 1}}};
   size_t most = device.capacity[1] < 256 ? device.capacity[1] : 256;
   for (int n = 0; n < 8; n++) {
     task t = {a, b, n < 3 ? 1 : (size_t)range(2, 2 * SEPAX_LANES + 2), most, {0, 0, 0}, false};
     size_t stretch = (size_t)range(20, 60);
     for (size_t i = 0; i < t.count_a; i++) {
-      a[i] = there;
+      a[i] = there();
     }
     for (size_t j = 0; j < t.count_b; j++) {
       bool meets = n == 0 ? j + 1 == t.count_b : n == 1 ? j < stretch : j / stretch % 2 == 0;
-      b[j] = meets ? there : away;
+      b[j] = meets ? there() : away;
     }
     run_task(&t, paced);
   }
@@ -165,7 +176,6 @@ static void stay_away(sepax_tri *a, sepax_tri *b, bool paced) {
 /* One triangle of A and one of B meet, in each place whose number is a power of 2, or one less: the
  * numbers of the first collision. */
 static void one_pair(sepax_tri *a, sepax_tri *b, bool paced) {
-  static const sepax_tri there = {{{-3, -1, -1}, {-1, 1, 0}, {-2, 0, 1}}};
   const int32_t high = sepax_word_max(SEPAX_WORD);
   const int32_t low = sepax_word_min(SEPAX_WORD);
   const sepax_tri away[2] = {{{{low, 0, 0}, {low + 1, 1, 0}, {low + 1, 0, 1}}},
@@ -179,7 +189,7 @@ static void one_pair(sepax_tri *a, sepax_tri *b, bool paced) {
         for (size_t k = 0; k <= at; k++) {
           object[which][k] = away[which];
         }
-        a[count[0] - 1] = b[count[1] - 1] = there;
+        a[count[0] - 1] = b[count[1] - 1] = there();
         const task t = {a, b, count[0], count[1], {0, 0, 0}, false};
         expect("one pair that collides", run_task(&t, paced).collisions, 1);
       }

@@ -19,7 +19,7 @@ OBJECT_C     = $(addprefix $(ENGINE_OBJ)/,bench.o crowd.o cycles.o objects.o ref
 vpath %.c tb/object_engine drivers/object_engine examples/object_engine
 $(ENGINE_OBJ)/%.o: %.c $(RTL) $(wildcard tb/object_engine/*.h drivers/object_engine/*.h)
 	@mkdir -p $(@D)
-	@$(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/object_engine -I$(CORE)/rtl -c $< -o $@
+	@$(CC) $(SEPAX_CFLAGS) $(ENGINE_OPT) -Itb -Idrivers/object_engine -I$(CORE)/rtl -c $< -o $@
 
 $(OBJECT_BENCH): $(OBJECT_C) tb/object_engine/bus.cpp tb/object_engine/bus.h $(IO) $(LIB) $(RTL)
 	@echo "  VERILATE $(DESIGN_NAME), the engine"

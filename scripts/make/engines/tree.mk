@@ -35,7 +35,7 @@ TREE_C      = $(patsubst %.c,$(ENGINE_OBJ)/%.o,$(notdir $(TREE_SRC)))
 POSE_CHECK  = tb/tree_engine/top/sepax_pose_check.sv
 TREE_DEPS   = $(RTL) $(POSE_CHECK) $(wildcard $(addsuffix /*.h, \
               tb/tree_engine/modules tb/tree_engine/top tb/object_engine drivers/tree_engine))
-TREE_CC     = $(CC) $(SEPAX_CFLAGS) -Itb -Idrivers/tree_engine -I$(CORE)/rtl
+TREE_CC     = $(CC) $(SEPAX_CFLAGS) $(ENGINE_OPT) -Itb -Idrivers/tree_engine -I$(CORE)/rtl
 LATENCY    ?= 100
 ROUNDS     ?= 20
 MODES      ?= 16
