@@ -95,8 +95,9 @@ public:
     }
     std::printf("latency %d: %" PRIu64 " pairs that did not wait; ", SEPAX_LATENCY, latencies);
     if (stress != 0) {
-      std::printf("random gaps%s, %" PRIu64 " resets, %" PRIu64 " pairs dropped by them\n",
-                  HANDSHAKE ? " and blocks" : "", resets, dropped);
+      std::printf("random gaps%s, %" PRIu64 " resets, %" PRIu64 " pairs dropped by them, %" PRIu64
+                  " offers withdrawn\n",
+                  HANDSHAKE ? " and blocks" : "", resets, dropped, withdrawn);
       return;
     }
     std::printf("II %d", SEPAX_II);
@@ -244,15 +245,19 @@ private:
   }
 
   // One clock cycle, under stress perhaps a gap, with anything on the data inputs, or a block;
-  // true if the word is taken.
+  // true if the word is taken. In a gap noise may be offered while nothing is taken, as by a
+  // partner that withdraws what it offers, against the rules of AXI.
   bool step(const Outstanding *e, int word) {
     bool offer = (stress == 0 || next(&offering)) && e != nullptr;
     if (offer) {
       drive(*top, e->pair, word, e->travel);
     } else if (stress != 0) {
       drive_noise();
+      withdraws = HANDSHAKE && draw() % 2 == 0;
     }
-    return tick(offer, !HANDSHAKE || stress == 0 || next(&accepting));
+    const bool taken = tick(offer, !HANDSHAKE || stress == 0 || next(&accepting));
+    withdraws = false;
+    return taken;
   }
 
   bool tick(bool offer, bool ready) {
@@ -262,6 +267,11 @@ private:
     top.settle();
     if (HANDSHAKE && stress != 0) {
       check_independence(offer, ready);
+    }
+    if (withdraws && !in_ready(*top)) { // it will not be, since in_ready is independent
+      set_in_valid(*top, true);
+      top.settle();
+      withdrawn++;
     }
     bool was_empty = scoreboard.empty();
     idle = was_empty ? idle + 1 : 0;
@@ -488,13 +498,14 @@ private:
   Isolation isolation;
   Scoreboard scoreboard;
   bool hung = false;
-  sepax_pair first{};    // pair of a run under stress
-  uint64_t capacity = 0; // pairs that are taken while verdicts are blocked
+  bool withdraws = false; // noise is offered in this cycle unless it would be taken
+  sepax_pair first{};     // pair of a run under stress
+  uint64_t capacity = 0;  // pairs that are taken while verdicts are blocked
   Stretch offering{0, 0}, accepting{0, 0};
   Verdict blocked_verdict{}; // shown and blocked in the cycle before
   uint64_t idle = 0;         // cycles for which it has been empty, this one, too
   uint64_t cycle = 0, until_reset = 0, blocked = 0, waited = 0, last_verdict_cycle = 0;
-  uint64_t collisions = 0, coplanar = 0, latencies = 0, resets = 0;
+  uint64_t collisions = 0, coplanar = 0, latencies = 0, resets = 0, withdrawn = 0;
   uint64_t axes[LAST_AXIS + 1] = {}, bands[3] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;
 };
