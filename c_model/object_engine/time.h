@@ -8,20 +8,25 @@
 #include "util/aabb.h"
 #include "util/wide.h"
 
-/* Buffers between the lanes and the cores: a FIFO of candidate masks (only the number of passes of
- * each mask matters here), the mask that the priority encoder empties, and the pairs that were
- * fetched. */
-enum { ENGINE_ENTRIES = 16, ENGINE_FETCHED = 2 };
+/* Between the lanes and the cores: a FIFO of candidate masks (only the number of passes of each
+ * mask matters here), the mask that the priority encoder empties, and the stages that fetch a pair.
+ * On an FPGA all stages wait for the last one; else there are two, and the first fills on its own.
+ */
+enum { ENGINE_ENTRIES = 16 };
 typedef struct {
   uint64_t passes[ENGINE_ENTRIES];
-  int first, count;
+  uint64_t arrives[ENGINE_ENTRIES]; /* the cycle in which a mask comes out of the lanes */
+  int first, count;                 /* with masks that are still in the lanes */
+  int arrived;
   uint64_t picked; /* passes left in the mask of the priority encoder */
-  int fetched;
+  unsigned pairs;  /* bit k: stage k has a pair */
+  unsigned last;   /* the bit of the last stage */
+  bool together;   /* all stages wait for the last one */
   uint64_t now, last_taken;
   uint64_t ii, cores;
-  int fullest;      /* the pair enumerator stops if the FIFO has more masks than this */
-  uint64_t to_fifo; /* register stages from the lanes to the FIFO */
-  uint64_t to_end;  /* register stages from the FIFO to a core, and its latency */
+  int fullest;       /* the pair enumerator stops if the FIFO has more masks than this */
+  uint64_t in_lanes; /* cycles of a mask from its step to the FIFO */
+  uint64_t to_end;   /* cycles from the last stage to the end of a run, but for a core's latency */
   uint64_t free_at[SEPAX_CORES_MAX];
 } engine_time;
 
@@ -30,8 +35,12 @@ static inline engine_time engine_time_begin(const sepax_config *config) {
   return (engine_time){.ii = (uint64_t)config->ii,
                        .cores = (uint64_t)config->cores,
                        .fullest = ENGINE_ENTRIES - (fpga ? 8 : 6),
-                       .to_fifo = fpga ? 8 : 5,
-                       .to_end = fpga ? (config->lanes > 1 ? 13 : 10) : 6};
+                       .last = !fpga               ? 2U
+                               : config->lanes > 1 ? 64U
+                                                   : 8U,
+                       .together = fpga,
+                       .in_lanes = fpga ? 6 : 3,
+                       .to_end = fpga ? 1 : 2};
 }
 
 static inline uint64_t *engine_first_free(engine_time *t) {
@@ -42,39 +51,55 @@ static inline uint64_t *engine_first_free(engine_time *t) {
   return free_at;
 }
 
+/* The masks that came out of the lanes. */
+static inline void engine_arrivals(engine_time *t) {
+  while (t->arrived < t->count && t->arrives[(t->first + t->arrived) % ENGINE_ENTRIES] <= t->now) {
+    t->arrived++;
+  }
+}
+
+/* Can the first stage take a pair while the last one waits? */
+static inline bool engine_fills(const engine_time *t) {
+  return !t->together && (t->pairs & 1) == 0;
+}
+
 static inline void engine_tick(engine_time *t) {
   t->now++;
+  engine_arrivals(t);
   uint64_t *free_at = engine_first_free(t);
-  if (t->fetched > 0 && t->now >= *free_at) {
+  bool blocked = (t->pairs & t->last) != 0;
+  if (blocked && t->now >= *free_at) {
     *free_at = t->now + t->ii;
     t->last_taken = t->now;
-    t->fetched--;
+    blocked = false;
   }
-  if (t->picked > 0 && t->fetched < ENGINE_FETCHED) {
-    t->picked--;
-    t->fetched++;
+  if (!blocked || engine_fills(t)) {
+    t->pairs = (blocked ? t->pairs : t->pairs << 1 & (2 * t->last - 1)) | (t->picked > 0);
+    t->picked -= t->picked > 0;
   }
-  if (t->picked == 0 && t->count > 0) {
+  if (t->picked == 0 && t->arrived > 0) {
     t->picked = t->passes[t->first];
     t->first = (t->first + 1) % ENGINE_ENTRIES;
     t->count--;
+    t->arrived--;
   }
 }
 
 /* Let up to `most` cycles pass in which nothing moves because all wait for a core. */
 static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
-  bool waits = t->fetched == ENGINE_FETCHED ? t->picked > 0 || t->count == 0
-                                            : t->fetched > 0 && t->picked == 0 && t->count == 0;
+  bool waits = (t->pairs & t->last) != 0 && !(t->picked > 0 && engine_fills(t)) &&
+               (t->picked > 0 || t->count == 0);
   uint64_t free_at = waits ? *engine_first_free(t) : 0;
   uint64_t cycles = free_at > t->now + 1 ? free_at - t->now - 1 : 0;
   cycles = cycles < most ? cycles : most;
   t->now += cycles;
+  engine_arrivals(t);
   return cycles;
 }
 
 /* Let cycles pass until the pair enumerator may go on. */
 static inline void engine_stall(engine_time *t) {
-  while (t->count > t->fullest) {
+  while (t->arrived > t->fullest) {
     engine_wait(t, UINT64_MAX);
     engine_tick(t);
   }
@@ -83,7 +108,9 @@ static inline void engine_stall(engine_time *t) {
 /* A step of the pair enumerator that finds candidates with this many passes, at least 1. */
 static inline void engine_step(engine_time *t, uint64_t passes) {
   engine_stall(t);
-  t->passes[(t->first + t->count++) % ENGINE_ENTRIES] = passes;
+  const int last = (t->first + t->count++) % ENGINE_ENTRIES;
+  t->passes[last] = passes;
+  t->arrives[last] = t->now + 1 + t->in_lanes;
   engine_tick(t);
 }
 
@@ -91,19 +118,20 @@ static inline void engine_step(engine_time *t, uint64_t passes) {
 static inline void engine_idle(engine_time *t, uint64_t steps) {
   while (steps > 0) {
     engine_stall(t);
-    if (t->count == 0 && t->picked == 0 && t->fetched == 0) {
+    if (t->count == 0 && t->picked == 0 && t->pairs == 0) {
       t->now += steps;
       return;
     }
-    steps -= engine_wait(t, steps - 1) + 1;
+    /* While masks come, the FIFO may fill. */
+    steps -= engine_wait(t, t->count > t->fullest ? 0 : steps - 1) + 1;
     engine_tick(t);
   }
 }
 
 /* The cycle of the last verdict. If there is no verdict, then the end of the last step. */
 static inline uint64_t engine_finish(engine_time *t, int latency) {
-  uint64_t enumerated = t->now + t->to_fifo;
-  while (t->count > 0 || t->picked > 0 || t->fetched > 0) {
+  uint64_t enumerated = t->now + t->in_lanes + 2;
+  while (t->count > 0 || t->picked > 0 || t->pairs != 0) {
     engine_wait(t, UINT64_MAX);
     engine_tick(t);
   }
