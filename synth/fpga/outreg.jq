@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 # outreg.jq - a netlist of ECP5 as Yosys writes it in JSON, with registers at block RAMs in these:
-# where each bit that a DP16KD reads goes to the D of a flip-flop of the same clock, without enable
-# and reset, and nowhere else, these are the DP16KD's own output registers.
+# where each bit that a DP16KD reads goes to the D of a flip-flop of the same clock, without reset
+# and with one enable for all, and nowhere else, these are the DP16KD's own output registers.
 def plain($clock): .type == "TRELLIS_FF" and .connections.CLK == $clock
-  and (.parameters.CLKMUX | test("^CLK *$")) and (.parameters.CEMUX | test("^1 *$"))
+  and (.parameters.CLKMUX | test("^CLK *$")) and (.parameters.CEMUX | test("^(1|CE) *$"))
   and .connections.LSR == ["0"] and .connections.M == null;
+def enable: if .parameters.CEMUX | test("^1") then ["1"] else .connections.CE end;
 def packed:
   .cells as $cells |
   (reduce ($cells | to_entries[] | .key as $name | .value | .port_directions as $way |
@@ -17,8 +18,13 @@ def packed:
      select($at) | {port: .key, ff: $at[0], pin: $at[1]}] as $outs |
     if ($outs | length) > 0 and $cell.connections.OCEB == ["1"] and all($outs[];
          .pin == "DI" and ($cells[.ff] | plain($cell.connections.CLKB)))
+       and ([$outs[] | $cells[.ff] | enable] | unique | length) == 1
     then
+      ($cells[$outs[0].ff] | enable) as $enable |
       .cells[$ram].parameters += {REGMODE_A: "OUTREG", REGMODE_B: "OUTREG"} |
+      .cells[$ram].connections.OCEB = $enable |
+      (if any($outs[].port; startswith("DOA")) then .cells[$ram].connections.OCEA = $enable
+       else . end) |
       reduce $outs[] as $out (.;
         .cells[$ram].connections[$out.port] = $cells[$out.ff].connections.Q |
         del(.cells[$out.ff]))

@@ -109,6 +109,13 @@ static bool see(void *context, const sepax_hit *hit) {
   return true;
 }
 
+/* Behind a gap the two stages of a core's AABB test may take a pair a window sooner. */
+#ifdef SEPAX_BOXES
+enum { SOONER = SEPAX_II };
+#else
+enum { SOONER = 0 };
+#endif
+
 /* Pairs of two passes may take II cycles more each, as the verdicts behind them wait; on an FPGA
  * two II, where such a pair is in seven windows, and the reorder buffer has four entries. */
 static void compare_cycles(uint64_t cycles, const sepax_object_run *run, const task *t) {
@@ -120,7 +127,7 @@ static void compare_cycles(uint64_t cycles, const sepax_object_run *run, const t
   }
   if (!fpga && SEPAX_CORES == 1) {
     uint64_t least = cycles_of_run(t->a, t->count_a, t->b, t->count_b, t->move, design.margin[1]);
-    if (more == 0 ? cycles != least : cycles < least) {
+    if ((more == 0 && cycles > least) || cycles + SOONER < least) {
       complain("cycles", cycles, least);
     }
   }

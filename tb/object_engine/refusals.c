@@ -185,7 +185,8 @@ enum { SHORT = SEPAX_MEMORY_B < 128 ? SEPAX_MEMORY_B : 128 };
 
 /* A run is over. */
 static void wait_for_end(void) {
-  for (int reads = 0; reads < 100000 && (value_of(SEPAX_STATUS) & SEPAX_STATUS_BUSY) != 0;) {
+  enum { MOST = 100000 + 2 * SEPAX_II * SEPAX_MEMORY_B };
+  for (int reads = 0; reads < MOST && (value_of(SEPAX_STATUS) & SEPAX_STATUS_BUSY) != 0;) {
     reads++;
   }
   expect("a run ends", value_of(SEPAX_STATUS) & SEPAX_STATUS_BUSY, 0);
