@@ -25,6 +25,7 @@ typedef struct {
   uint64_t now, last_taken;
   uint64_t ii, cores;
   int fullest;       /* the pair enumerator stops if the FIFO has more masks than this */
+  bool late, free;   /* it learns that a cycle late; it may go on */
   uint64_t in_lanes; /* cycles of a mask from its step to the FIFO */
   uint64_t to_end;   /* cycles from the last stage to the end of a run, but for a core's latency */
   uint64_t free_at[SEPAX_CORES_MAX];
@@ -34,7 +35,9 @@ static inline engine_time engine_time_begin(const sepax_config *config) {
   bool fpga = config->target != SEPAX_TARGET_ASIC;
   return (engine_time){.ii = (uint64_t)config->ii,
                        .cores = (uint64_t)config->cores,
-                       .fullest = ENGINE_ENTRIES - (fpga ? 8 : 6),
+                       .fullest = ENGINE_ENTRIES - (fpga ? 9 : 6),
+                       .late = fpga,
+                       .free = true,
                        .last = !fpga               ? 2U
                                : config->lanes > 1 ? 64U
                                                    : 8U,
@@ -64,6 +67,7 @@ static inline bool engine_fills(const engine_time *t) {
 }
 
 static inline void engine_tick(engine_time *t) {
+  const bool free_before = t->arrived <= t->fullest;
   t->now++;
   engine_arrivals(t);
   uint64_t *free_at = engine_first_free(t);
@@ -83,6 +87,7 @@ static inline void engine_tick(engine_time *t) {
     t->count--;
     t->arrived--;
   }
+  t->free = t->late ? free_before : t->arrived <= t->fullest;
 }
 
 /* Let up to `most` cycles pass in which nothing moves because all wait for a core. */
@@ -94,12 +99,13 @@ static inline uint64_t engine_wait(engine_time *t, uint64_t most) {
   cycles = cycles < most ? cycles : most;
   t->now += cycles;
   engine_arrivals(t);
+  t->free = cycles > 0 ? t->arrived <= t->fullest : t->free;
   return cycles;
 }
 
 /* Let cycles pass until the pair enumerator may go on. */
 static inline void engine_stall(engine_time *t) {
-  while (t->arrived > t->fullest) {
+  while (!t->free) {
     engine_wait(t, UINT64_MAX);
     engine_tick(t);
   }

@@ -2,7 +2,9 @@
 """litex_golden - what examples/litex/soc.py left in a folder, against the golden model of the tree
 engine: each pair in its order, and each number of the ends of poses that is defined.
 
-  litex_golden.py FOLDER [POSES [SEED]]
+  litex_golden.py FOLDER SAID ...
+
+SAID is what the firmware said: said.txt, or others of which each line of output tells the name.
 
 It needs examples/litex and examples/cocotb among the modules, and LIBSEPAX=build."""
 import json
@@ -68,15 +70,18 @@ def differences(answers, due):
 def main():
     """Compare the batches of all pairs, and those of the first pair."""
     folder = Path(sys.argv[1])
-    count, seed = [int(word) for word in sys.argv[2:4]] + [8, 1][len(sys.argv) - 2:]
-    batches = soc.parse((folder / "said.txt").read_text("utf-8"))
-    poses = soc.poses_of(count, seed)
+    poses = soc.poses_of(8, 1)
+    jobs = {"all": 0, "first": FIRST | QUIET, "again": FIRST | QUIET}
+    due = {name: expected(folder, poses, modes) for name, modes in jobs.items()}
     failed = False
-    for name, modes in (("all", 0), ("first", FIRST | QUIET), ("again", FIRST | QUIET)):
-        due, answers = expected(folder, poses, modes), batches.get(name, [])
-        wrong, compared = differences(answers, due)
-        print(f"{name}: {len(answers)} poses of {len(due)}, {compared} numbers, differ: {wrong}")
-        failed |= wrong != [] or len(answers) != len(due)
+    for path in map(Path, sys.argv[2:]):
+        batches = soc.parse(path.read_text("utf-8"))
+        for name in jobs:
+            answers = batches.get(name, [])
+            wrong, compared = differences(answers, due[name])
+            print(f"{path.stem}, {name}: {len(answers)} poses of {len(due[name])}, "
+                  f"{compared} numbers, differ: {wrong}")
+            failed |= wrong != [] or len(answers) != len(due[name])
     return 1 if failed else 0
 
 
