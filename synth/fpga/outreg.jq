@@ -3,9 +3,10 @@
 # where each bit that a DP16KD reads goes to the D of a flip-flop of the same clock, without reset
 # and with one enable for all, and nowhere else, these are the DP16KD's own output registers.
 def plain($clock): .type == "TRELLIS_FF" and .connections.CLK == $clock
-  and (.parameters.CLKMUX | test("^CLK *$")) and (.parameters.CEMUX | test("^(1|CE) *$"))
+  and (.parameters.CLKMUX | test("^CLK *$")) and (.parameters.CEMUX | test("^(1|CE|INV) *$"))
   and .connections.LSR == ["0"] and .connections.M == null;
-def enable: if .parameters.CEMUX | test("^1") then ["1"] else .connections.CE end;
+def enable: .parameters.CEMUX[0:1] as $mux
+  | {net: (if $mux == "1" then ["1"] else .connections.CE end), inverted: ($mux == "I")};
 def packed:
   .cells as $cells |
   (reduce ($cells | to_entries[] | .key as $name | .value | .port_directions as $way |
@@ -22,9 +23,10 @@ def packed:
     then
       ($cells[$outs[0].ff] | enable) as $enable |
       .cells[$ram].parameters += {REGMODE_A: "OUTREG", REGMODE_B: "OUTREG"} |
-      .cells[$ram].connections.OCEB = $enable |
-      (if any($outs[].port; startswith("DOA")) then .cells[$ram].connections.OCEA = $enable
-       else . end) |
+      reduce ("A", "B" | select(. == "B" or any($outs[].port; startswith("DOA")))) as $port (.;
+        .cells[$ram].connections["OCE" + $port] = $enable.net |
+        .cells[$ram].parameters["OCE" + $port + "MUX"] =
+          (if $enable.inverted then "INV" else "OCE" + $port end)) |
       reduce $outs[] as $out (.;
         .cells[$ram].connections[$out.port] = $cells[$out.ff].connections.Q |
         del(.cells[$out.ff]))
