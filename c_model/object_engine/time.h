@@ -8,18 +8,22 @@
 #include "util/aabb.h"
 #include "util/wide.h"
 
-/* Between the lanes and the cores: a FIFO of candidate masks (only the number of passes of each
- * mask matters here), the mask that the priority encoder empties, and the stages that fetch a pair.
+/* Between the lanes and the cores: a FIFO of candidate masks (of each only the number of its pairs
+ * matters here, and of those that take two passes, which are the first that are picked), the mask
+ * that the priority encoder empties, and the stages that fetch a pair.
  * On an FPGA all stages wait for the last one; else there are two, and the first fills on its own.
  */
 enum { ENGINE_ENTRIES = 16 };
 typedef struct {
-  uint64_t passes[ENGINE_ENTRIES];
+  uint64_t pairs_of[ENGINE_ENTRIES];
+  uint64_t twice_of[ENGINE_ENTRIES];
   uint64_t arrives[ENGINE_ENTRIES]; /* the cycle in which a mask comes out of the lanes */
   int first, count;                 /* with masks that are still in the lanes */
   int arrived;
-  uint64_t picked; /* passes left in the mask of the priority encoder */
+  uint64_t picked; /* pairs left in the mask of the priority encoder */
+  uint64_t twice;  /* of them with two passes */
   unsigned pairs;  /* bit k: stage k has a pair */
+  unsigned both;   /* bit k: it takes two passes */
   unsigned last;   /* the bit of the last stage */
   bool together;   /* all stages wait for the last one */
   uint64_t now, last_taken;
@@ -66,6 +70,11 @@ static inline bool engine_fills(const engine_time *t) {
   return !t->together && (t->pairs & 1) == 0;
 }
 
+/* The bits of the stages behind a cycle. */
+static inline unsigned engine_moved(const engine_time *t, unsigned bits, bool blocked) {
+  return blocked ? bits : bits << 1 & (2 * t->last - 1);
+}
+
 static inline void engine_tick(engine_time *t) {
   const bool free_before = t->arrived <= t->fullest;
   t->now++;
@@ -73,16 +82,19 @@ static inline void engine_tick(engine_time *t) {
   uint64_t *free_at = engine_first_free(t);
   bool blocked = (t->pairs & t->last) != 0;
   if (blocked && t->now >= *free_at) {
-    *free_at = t->now + t->ii;
+    *free_at = t->now + ((t->both & t->last) != 0 ? 2 : 1) * t->ii;
     t->last_taken = t->now;
     blocked = false;
   }
   if (!blocked || engine_fills(t)) {
-    t->pairs = (blocked ? t->pairs : t->pairs << 1 & (2 * t->last - 1)) | (t->picked > 0);
+    t->pairs = engine_moved(t, t->pairs, blocked) | (t->picked > 0);
+    t->both = engine_moved(t, t->both, blocked) | (t->twice > 0);
     t->picked -= t->picked > 0;
+    t->twice -= t->twice > 0;
   }
   if (t->picked == 0 && t->arrived > 0) {
-    t->picked = t->passes[t->first];
+    t->picked = t->pairs_of[t->first];
+    t->twice = t->twice_of[t->first];
     t->first = (t->first + 1) % ENGINE_ENTRIES;
     t->count--;
     t->arrived--;
@@ -111,11 +123,13 @@ static inline void engine_stall(engine_time *t) {
   }
 }
 
-/* A step of the pair enumerator that finds candidates with this many passes, at least 1. */
-static inline void engine_step(engine_time *t, uint64_t passes) {
+/* A step of the pair enumerator that finds so many candidates, at least 1, of which `twice` take
+ * two passes. */
+static inline void engine_step(engine_time *t, uint64_t pairs, uint64_t twice) {
   engine_stall(t);
   const int last = (t->first + t->count++) % ENGINE_ENTRIES;
-  t->passes[last] = passes;
+  t->pairs_of[last] = pairs;
+  t->twice_of[last] = twice;
   t->arrives[last] = t->now + 1 + t->in_lanes;
   engine_tick(t);
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CONFIGURATIONS = FEWER(40) };
+enum { CONFIGURATIONS = FEWER(25) };
 
 static exact_plan *plan;
 static sepax_design design; /* of the plan */
