@@ -143,6 +143,7 @@ static void bursts(sepax_tri *a, sepax_tri *b, bool paced) {
   size_t most = device.capacity[1] < 256 ? device.capacity[1] : 256;
   for (int n = 0; n < 8; n++) {
     task t = {a, b, n < 3 ? 1 : (size_t)range(2, 2 * SEPAX_LANES + 2), most, {0, 0, 0}, false};
+    t.count_a = t.count_a < device.capacity[0] ? t.count_a : device.capacity[0];
     size_t stretch = (size_t)range(20, 60);
     for (size_t i = 0; i < t.count_a; i++) {
       a[i] = there();
