@@ -93,14 +93,12 @@ static bool judge_all(enumeration *e, size_t count_a, size_t count_b) {
   engine_time t = engine_time_begin(c);
   for (size_t round = 0; round <= rounds; round++) {
     for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
-      uint64_t candidates = e->run->candidates;
-      uint64_t passes = e->run->passes;
+      uint64_t before = e->run->passes;
       if (j < count_b && !judge_step(e, round, j, count_a)) {
         return false;
       }
-      candidates = e->run->candidates - candidates;
-      if (candidates > 0) {
-        engine_step(&t, candidates, e->run->passes - passes - candidates);
+      if (e->run->passes > before) {
+        engine_step(&t, e->run->passes - before);
       } else {
         engine_idle(&t, 1);
       }

@@ -255,7 +255,7 @@ static uint64_t engine_cycles(const sepax_workload *workload, const part_sizes *
         k++;
       }
       engine_idle(&t, steps[first] - at);
-      engine_step(&t, k - first, 0); /* a pair of two passes is there twice */
+      engine_step(&t, k - first);
       at = steps[first] + 1;
     }
     engine_idle(&t, end - at);
