@@ -290,10 +290,10 @@ typedef struct {
   uint64_t collisions;   /* number of collisions in `found` */
   size_t first;          /* index of the first collision in `found`; found.count if there is none */
   uint64_t out_of_range; /* undecided pairs in `found`: beyond an extent, or B left the W bits */
-  uint64_t cycles; /* predicted cycles, right to about 1 % plus 20 + 4 II cycles, on an FPGA 10 %
-                      where candidates come in bursts. Each pair of two passes may add up to
-                      II cycles, on an FPGA two II, because later verdicts wait; of several
-                      cores it may take one cycle less */
+  uint64_t cycles;       /* predicted cycles, right to about 1 % plus 20 + 4 II cycles, to 10 %
+                            where candidates come in bursts. Each pair of two passes may add up to
+                            II cycles, on an FPGA two II, because later verdicts wait; of several
+                            cores it may take one cycle less */
 } sepax_object_run;
 
 /* The golden model of the object engine (a design with lanes). It judges all triangles of A against
