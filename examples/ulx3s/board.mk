@@ -66,13 +66,7 @@ SETTINGS = $(SET) $(SIM_CLOCKS) $(SEED) $(DEVICE) $(GRADE)
 .DEFAULT_GOAL = bitstream
 .PHONY: bitstream host simulate lint table FORCE
 
-$(SEPAX) $(LIB): FORCE
-	@$(MAKE) -s --no-print-directory -C $(ROOT) build/$(@F)
-
-$(ENGINE): $(SEPAX) FORCE
-	@new=$(OUT)/new.$$$$ && mkdir -p $(@D) && trap 'rm -rf $$new' EXIT && \
-	$(SEPAX) gen $(DESIGN) -o $$new > /dev/null && { diff -rq $$new $(@D) > /dev/null 2>&1 || \
-	  { echo "  GEN     $(@D)"; rm -rf $(@D) && mv $$new $(@D); }; }
+include ../engine.mk
 
 # What is made anew where it is another; no PLL that the FPGA does not have.
 DIVIDERS = $(and $(filter $(MULTIPLY),$(PLL_MULTIPLY)),$(filter $(DIVIDE),$(PLL_DIVIDE)),$\
