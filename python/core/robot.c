@@ -167,8 +167,8 @@ static PyObject *robot_pairs(PyObject *self, PyObject *arguments) {
   PyObject *others = others_of(&pairs.srdf.others);
   PyObject *result =
       bytes != NULL && others != NULL
-          ? Py_BuildValue("(OnnnO)", bytes, (Py_ssize_t)pairs.joined, (Py_ssize_t)pairs.rigid,
-                          (Py_ssize_t)pairs.disabled, others)
+          ? Py_BuildValue("(OnnnOz)", bytes, (Py_ssize_t)pairs.joined, (Py_ssize_t)pairs.rigid,
+                          (Py_ssize_t)pairs.disabled, others, pairs.srdf.robot)
           : NULL;
   Py_XDECREF(bytes);
   Py_XDECREF(others);
@@ -181,6 +181,6 @@ PyMethodDef core_robot_methods[] = {
     {"robot_about", robot_about, METH_O, "(mechanism) -> name, links, shapes, bare, others"},
     {"robot_shape", robot_shape, METH_VARARGS, "(mechanism, shape, unit) -> facets"},
     {"robot_pairs", robot_pairs, METH_VARARGS,
-     "(mechanism, srdf) -> pairs, joined, rigid, disabled, others"},
+     "(mechanism, srdf) -> pairs, joined, rigid, disabled, others, name in the SRDF"},
     {"distinct", distinct, METH_O, "(facets) -> facets"},
     {NULL, NULL, 0, NULL}};

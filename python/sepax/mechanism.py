@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -114,9 +115,10 @@ class Mechanism:
                   surfaces: bool = False) -> "Mechanism":
         """Read a robot: links, joints and collision geometry, with its mesh files.
 
-        srdf: disables pairs. With it all pairs are compared but those that it disables, and those
-          that fixed joints alone hold together; without it, neighbours at one joint are left out,
-          too. packages: {name: folder} of package://name/.
+        srdf: disables pairs. With it all pairs are compared but those that it disables; without
+          it, all but neighbours at one joint and links that fixed joints alone hold together.
+          An SRDF that names another robot is used, with a UserWarning.
+        packages: {name: folder} of package://name/.
         unit: length in metres of the unit of mesh files; None: as they say, STL, OBJ and PLY in
           metres. surfaces: True does not look whether a body is inside another.
         Lengths are metres, angles radians. Spheres, cylinders and capsules become polyhedra that
@@ -133,7 +135,9 @@ class Mechanism:
         mechanism = cls.__new__(cls)
         mechanism._begin(handle)
         name, count, shapes, bare, others = core.robot_about(handle)
-        found, joined, rigid, disabled, srdf_others = core.robot_pairs(handle, srdf)
+        found, joined, rigid, disabled, srdf_others, meant = core.robot_pairs(handle, srdf)
+        if meant is not None and name is not None and meant != name:
+            warnings.warn(f"{srdf} is for a robot '{meant}'; {urdf} is '{name}'", stacklevel=2)
         scale = 0.0 if unit is None else _arrays.number_of(unit, "unit", 1e-9, 1e9)
         bodies, solids = _bodies_of(handle, mechanism.links, shapes, scale)
         numbers = np.frombuffer(found, np.uintp).reshape(-1, 2)

@@ -148,6 +148,10 @@ class FromFile(unittest.TestCase):
             file.write("<robot name='arm'><disable_collisions link1='base' link2='hand'/></robot>")
         robot = sepax.Mechanism.from_urdf(self.urdf, srdf)
         self.assertEqual((robot.pairs, robot.account["pairs_disabled"]), ([], 1))
+        with open(srdf, "w", encoding="utf-8") as file:
+            file.write("<robot name='leg'/>")
+        with self.assertWarnsRegex(UserWarning, "'leg'.*'arm'"):
+            self.assertEqual(len(sepax.Mechanism.from_urdf(self.urdf, srdf).pairs), 1)
         with self.assertRaises(sepax.FileError):
             sepax.Mechanism.from_urdf(os.path.join(self.folder, "none.urdf"))
         with self.assertRaisesRegex(sepax.FormatError, "line|:[0-9]+:"):
