@@ -85,10 +85,10 @@ include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python by-hand calibrate \
-              clearance cocotb compare-meshes coverage distances drawn driver engine-sweep \
-              estimate exhaustive fuzz guard guard-time hard impeller machine multivt mutation \
-              mutation-c netlist-sweep packages path-campaign posed-pairs proofs sanitize scene \
-              slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              clearance cocotb compare-meshes coverage distances driver engine-sweep estimate \
+              exhaustive fuzz guard guard-time hard impeller machine multivt mutation mutation-c \
+              netlist-sweep packages path-campaign posed-pairs proofs random-designs sanitize \
+              scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -324,9 +324,9 @@ experiment-tree-fuzz: $(SEPAX) $(LIB)
 	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree_engine/modules/walks
 	@$(MAKE) WORD=8 II=6 FUZZ=$$(($(COUNT_OF) / 8)) COUNT= SEED= cosim
 
-# Random designs; COUNT in all, with those of docs/developers/results/drawn.tsv.
-experiment-drawn: $(SEPAX) $(LIB) $(IO)
-	@$(EXPERIMENT)/drawn $(if $(call given,COUNT),$(COUNT),2000) $(SEED)
+# Random designs; COUNT in all, with those of docs/developers/results/random-designs.tsv.
+experiment-random-designs: $(SEPAX) $(LIB) $(IO)
+	@$(EXPERIMENT)/random-designs $(if $(call given,COUNT),$(COUNT),2000) $(SEED)
 
 experiment-tree-scene: $(SEPAX)
 	@$(MAKE) SCENE=$(if $(call given,COUNT),$(COUNT),10000) COUNT= SEED= cosim
