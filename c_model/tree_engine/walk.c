@@ -260,9 +260,10 @@ static void walk_all(walk *w, const tree_node *root_b) {
   }
 }
 
-bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                             const sepax_tree_walk_options *how, sepax_tree_run *run,
-                             sepax_error *error) {
+/* All nodes are inside the images. */
+static bool walk_trees(const tree_image tree[2], const sepax_tree_pose *pose,
+                       const sepax_tree_walk_options *how, sepax_tree_run *run,
+                       sepax_error *error) {
   walk w = {.tree = {tree[0], tree[1]},
             .pose = pose,
             .how = how,
@@ -312,7 +313,7 @@ bool sepax_tree_walk_images(const uint8_t *const image[2],
                         TREE_BEAT * tree[i].beats);
     }
   }
-  return sepax__tree_images_walk(tree, pose, how, run, error);
+  return walk_trees(tree, pose, how, run, error);
 }
 
 bool sepax_tree_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_pose *pose,
@@ -324,5 +325,5 @@ bool sepax_tree_walk(const sepax_tree *a, const sepax_tree *b, const sepax_tree_
                       "a tree of %d bits is beyond the %d bits of the design", word,
                       how->design->config.word);
   }
-  return sepax__tree_images_walk(tree, pose, how, run, error);
+  return walk_trees(tree, pose, how, run, error);
 }

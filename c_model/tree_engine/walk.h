@@ -49,11 +49,6 @@ tree_pair sepax__tree_test_pair(const int32_t a[3][3], const int32_t b[3][3], in
 /* A triangle as the core gets it. */
 sepax_tri sepax__tree_thin_along_z(const int32_t v[3][3], int thinnest);
 
-/* sepax_tree_walk_images after its check: all nodes are inside the images. */
-bool sepax__tree_images_walk(const tree_image tree[2], const sepax_tree_pose *pose,
-                             const sepax_tree_walk_options *how, sepax_tree_run *run,
-                             sepax_error *error);
-
 /* ------------------------------------------------- sepax__tree_hits with vectors */
 
 typedef int8_t tree_lane __attribute__((vector_size(TREE_FAN_OUT)));

@@ -17,6 +17,4 @@ bool sepax__distinct(sepax_soup *mesh);
 bool sepax__robot_pairs(sepax_robot_pairs *pairs, const sepax_robot *robot, const char *srdf,
                         size_t also, sepax_error *error);
 
-void sepax__robot_others_free(sepax_robot_others *others);
-
 #endif

@@ -365,7 +365,7 @@ const char *sepax_shape_kind_name(sepax_shape_kind kind) {
   return names[kind];
 }
 
-void sepax__robot_others_free(sepax_robot_others *others) {
+static void free_others(sepax_robot_others *others) {
   for (size_t n = 0; n < others->count; n++) {
     sepax_release(others->entry[n].what);
   }
@@ -375,7 +375,7 @@ void sepax__robot_others_free(sepax_robot_others *others) {
 
 void sepax_srdf_free(sepax_srdf *srdf) {
   sepax_release(srdf->robot);
-  sepax__robot_others_free(&srdf->others);
+  free_others(&srdf->others);
   *srdf = (sepax_srdf){0};
 }
 
@@ -387,7 +387,7 @@ void sepax_robot_free(sepax_robot *robot) {
   sepax_release(robot->shape);
   sepax_release(robot->nothing);
   sepax_release(robot->name);
-  sepax__robot_others_free(&robot->others);
+  free_others(&robot->others);
   sepax_mechanism_free(&robot->mechanism);
   *robot = (sepax_robot){0};
 }

@@ -161,7 +161,8 @@ static bool enter_cells(const welding *w, cells *c) {
   return true;
 }
 
-weld_result sepax__weld_vertices(welding *w) {
+/* Merge vertices within the length of each other into the least of them. */
+static weld_result merge_vertices(welding *w) {
   cells c = {0};
   weld_result result = WELD_MEMORY;
   if (enter_cells(w, &c)) {
@@ -240,7 +241,7 @@ weld_edge *sepax__weld_edges(const welding *w, size_t *count) {
 /* ----------------------------------------------------------------------- the soup */
 
 static weld_result weld(welding *w) {
-  weld_result result = w->length > 0 ? sepax__weld_vertices(w) : WELD_DONE;
+  weld_result result = w->length > 0 ? merge_vertices(w) : WELD_DONE;
   result = result == WELD_DONE ? sepax__weld_leave_out(w) : result;
   return result == WELD_DONE && w->length > 0 ? sepax__weld_divide(w) : result;
 }

@@ -26,9 +26,6 @@ typedef struct {
  * *count may be 0. */
 weld_edge *sepax__weld_edges(const welding *w, size_t *count);
 
-/* Merge vertices within the length of each other into the least of them. */
-weld_result sepax__weld_vertices(welding *w);
-
 /* Leave out triangles that became points and edges of others, and copies. */
 weld_result sepax__weld_leave_out(welding *w);
 

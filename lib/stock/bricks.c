@@ -77,14 +77,15 @@ void sepax__stock_free(sepax__stock *stock) {
   }
 }
 
-bool sepax__brick_reserve(sepax__stock *s, sepax_error *error) {
+/* Room for one more mixed brick. False without memory. */
+static bool reserve_block(sepax__stock *s) {
   if (s->unused != BLOCK_NONE || s->blocks < s->capacity) {
     return true;
   }
   size_t more = s->capacity == 0 ? 64 : s->capacity + s->capacity / 3;
   brick_block *grown = sepax_resize(s->block, more * sizeof *grown);
   if (grown == NULL) {
-    return sepax__stock_no_memory(error);
+    return false;
   }
   s->block = grown;
   s->capacity = more;
@@ -117,7 +118,7 @@ bool sepax__brick_put(sepax__stock *s, const size_t at[3], const uint64_t layer[
   }
   uint32_t to = any == 0 ? BRICK_EMPTY : all == UINT64_MAX ? BRICK_FULL : 0;
   bool mixed = *state < BRICK_FULL;
-  if (to == 0 && !mixed && !sepax__brick_reserve(s, NULL)) {
+  if (to == 0 && !mixed && !reserve_block(s)) {
     return false;
   }
   uint32_t *busy = &s->busy[region_of(s, at)];

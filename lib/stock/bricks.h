@@ -51,9 +51,6 @@ static inline uint64_t brick_layer(const sepax__stock *s, size_t brick, int z) {
 void sepax__brick_get(const sepax__stock *s, const size_t at[3], uint64_t layer[BRICK]);
 bool sepax__brick_put(sepax__stock *s, const size_t at[3], const uint64_t layer[BRICK]);
 
-/* Room for one more mixed brick. */
-bool sepax__brick_reserve(sepax__stock *s, sepax_error *error);
-
 bool sepax__stock_no_memory(sepax_error *error);
 
 #endif

@@ -73,5 +73,3 @@ const emit_port *emit_port_find(const emit_ports *ports, const char *name) {
   }
   return NULL;
 }
-
-bool emit_ports_axi(const emit_ports *ports) { return emit_port_find(ports, "aclk") != NULL; }

@@ -29,7 +29,4 @@ void emit_ports_free(emit_ports *ports);
 /* A port by name, or NULL. */
 const emit_port *emit_port_find(const emit_ports *ports, const char *name);
 
-/* Is the clock named aclk, with aresetn, as on AXI? Else clk, with rst. */
-bool emit_ports_axi(const emit_ports *ports);
-
 #endif

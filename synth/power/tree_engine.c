@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LANES = GATES_LANES, OPEN = 32, BEAT = 16, END_WORDS = 8, MOST_MEMORIES = 256 };
+enum { LANES = GATES_LANES, OPEN = 32, BEAT = 16, MOST_MEMORIES = 256 };
 enum { BASE = 0x100000 }; /* address of the external memory */
 
 static const char memory_in[] = "read_data_";
