@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* parts.h - what the parts of sepax size share. command.c reads the options and finds the answer.
- * scene.c measures a machine on a path. output.c prints. */
+/* parts.h - what the parts of sepax size share. options.c reads the options. command.c finds the
+ * answer. scene.c measures a machine on a path. output.c prints. */
 #ifndef SEPAX_SIZING_PARTS_H
 #define SEPAX_SIZING_PARTS_H
 
@@ -63,6 +63,9 @@ extern const size_engine size_engines[SEPAX_ENGINE_COUNT];
 const size_engine *size_engine_of(const sepax_sized_design *m);
 
 enum { SIZE_WIDTH = 11 }; /* width of the first word of a line */
+
+/* Read the options. Ends the program if they are wrong. */
+void size_parse(size_options *o, int argc, char **argv);
 
 /* Measure all pairs of a machine in each line. After false the answer can be freed. */
 bool size_scene_read(size_answer *answer, const size_options *o, sepax_error *error);
