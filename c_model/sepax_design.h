@@ -437,9 +437,9 @@ typedef struct {
  * each of its poses. The search covers the engines of the request, all numbers of cores, and every
  * II for which gates are known. Object engines and cores are tried with and without extents.
  *
- * The function fails if no design is fast enough or if there is no memory. If no design is fast
- * enough, then the error names the time of the fastest design, or a time that no design can beat.
- * *sized then has this time in `cycles` and `seconds`. After other errors *sized is 0. */
+ * The function fails with NONE_FITS if no design is fast enough. The error then names the time of
+ * the fastest design, or a time that no design can beat, and *sized has this time in `cycles` and
+ * `seconds`. After other errors *sized is 0. */
 bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
                        const sepax_size_request *request, sepax_error *error);
 

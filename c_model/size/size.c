@@ -148,7 +148,7 @@ static bool too_slow(candidates *all, double period, sepax_sized_design *sized,
   }
   *sized = (sepax_sized_design){.cycles = fewest, .seconds = (double)fewest * period};
   return sepax_fail(
-      error, SEPAX_ERROR_ARGUMENT,
+      error, SEPAX_ERROR_NONE_FITS,
       "time: %.4g ms is too short: at a clock of %g ns the fastest %s takes %.4g ms; allow more "
       "time, or coarsen the meshes",
       1e3 * r->seconds, 1e9 * period, kinds, 1e3 * sized->seconds);

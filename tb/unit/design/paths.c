@@ -391,6 +391,7 @@ CASE(test_left_out) {
   assert_works(sepax_size_scene(&s.size, &s.mesh[0], &s.mesh[1], &space, &fault));
   assert_int_equal(s.size.workloads, 0);
   assert_fault(sepax_size_design(&m, &s.size, &request, &fault), "of up to 64 lanes takes");
+  assert_int_equal(fault.code, SEPAX_ERROR_NONE_FITS);
   request.tree = true;
   assert_works(sepax_size_design(&m, &s.size, &request, &fault));
   assert_true(m.config.tree);
