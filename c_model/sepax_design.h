@@ -120,8 +120,8 @@ typedef struct {
 sepax_config sepax_config_default(void);
 
 /* Set one value from text. `name` is the name of the command-line option without "--" ("word",
- * "early-out", ...; c_model/design/options.c has the table). If the default of an option is "none",
- * then the value "" sets it to none. Error: ARGUMENT on an unknown name or value. */
+ * "early-out", ...; c_model/design/option_table.c lists them). If the default of an option is
+ * "none", then the value "" sets it to none. Error: ARGUMENT on an unknown name or value. */
 bool sepax_config_set(sepax_config *config, const char *name, const char *value,
                       sepax_error *error);
 

@@ -23,7 +23,7 @@ int cli_fail(const char *name, const sepax_error *error) {
 enum { MOST = 64, KEY_OPTION = 0x100, KEY_ENVIRONMENT = KEY_OPTION + MOST };
 
 /* The design's options for argp, with titles: all of them, and those that a verdict depends on.
- * cli_options_init fills them in from the table of c_model/design/options.c. */
+ * cli_options_init fills them in from c_model/design/option_table.c. */
 static struct argp_option config_options[MOST];
 static struct argp_option verdict_options[MOST];
 

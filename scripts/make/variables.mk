@@ -3,9 +3,9 @@
 # then this is an error, so that WRD=12 does not make the design of W = 18. A make that another make
 # started also has the variables of that one. scripts/make/help-all.txt says what each is for.
 
-# Options of a design: the rows of c_model/design/options.c.
+# Options of a design: the rows of c_model/design/option_table.c.
 DESIGN_VARIABLES := $(shell sed -n 's/^ *{[.]name = "\([a-z-]*\)".*/\1/p' \
-                      c_model/design/options.c | tr a-z- A-Z_)
+                      c_model/design/option_table.c | tr a-z- A-Z_)
 
 VARIABLES = DESIGN NAME TESTS QUICK BUILD PREFIX DESTDIR LIBDIR REFERENCE \
   MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED PAIR POSES JOBS VIEW SIMULATOR NETLIST \
