@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* extension.c - which extensions of 3MF are read. */
+#include "archive/core.h"
 #include "archive/model.h"
 
 #include <string.h>

@@ -1,69 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* model.c - a model part of a 3MF package: its objects and items, element by element. */
 #include "archive/model.h"
+#include "archive/core.h"
 #include "util/list.h"
-#include "util/text.h"
 
 #include <string.h>
 
-#define XML_SPACE "http://www.w3.org/XML/1998/namespace"
-
-/* The elements of the core specification. */
-typedef enum {
-  OUTSIDE,
-  MODEL,
-  METADATA,
-  RESOURCES,
-  BASEMATERIALS,
-  BASE,
-  OBJECT,
-  METADATAGROUP,
-  MESH,
-  VERTICES,
-  VERTEX,
-  TRIANGLES,
-  TRIANGLE,
-  COMPONENTS,
-  COMPONENT,
-  BUILD,
-  ITEM,
-  ELEMENTS
-} core_element;
-
-/* For each element: the elements that it may be in, and its attributes. Attributes after '|' have
- * no surface and are named in the account. Slicers write some of them without a prefix, for how
- * triangles are painted and how items are arranged. */
-static const struct {
-  const char *name;
-  unsigned parents;
-  const char *attributes;
-} core[ELEMENTS] = {
-    [MODEL] = {"model", 1u << OUTSIDE, " unit requiredextensions recommendedextensions "},
-    [METADATA] = {"metadata", 1u << MODEL | 1u << METADATAGROUP | 1u << RESOURCES | 1u << OBJECT,
-                  " name preserve type "},
-    [RESOURCES] = {"resources", 1u << MODEL, " "},
-    [BASEMATERIALS] = {"basematerials", 1u << RESOURCES, " id displaypropertiesid "},
-    [BASE] = {"base", 1u << BASEMATERIALS, " name displaycolor displaypropertiesid "},
-    [OBJECT] = {"object", 1u << RESOURCES,
-                " id type thumbnail partnumber name pid pindex | instances_count "},
-    [METADATAGROUP] = {"metadatagroup", 1u << OBJECT | 1u << ITEM, " "},
-    [MESH] = {"mesh", 1u << OBJECT, " "},
-    [VERTICES] = {"vertices", 1u << MESH, " "},
-    [VERTEX] = {"vertex", 1u << VERTICES, " x y z "},
-    [TRIANGLES] = {"triangles", 1u << MESH, " "},
-    [TRIANGLE] = {"triangle", 1u << TRIANGLES,
-                  " v1 v2 v3 p1 p2 p3 pid | paint_color paint_supports paint_seam "
-                  "paint_fuzzy_skin face_property "},
-    [COMPONENTS] = {"components", 1u << OBJECT, " "},
-    [COMPONENT] = {"component", 1u << COMPONENTS, " objectid transform "},
-    [BUILD] = {"build", 1u << MODEL, " "},
-    [ITEM] = {"item", 1u << BUILD,
-              " objectid transform partnumber printable | auto_drop instances_count "},
-};
-
 enum { DEPTH_MOST = 257 };
-
-#define ALTERNATIVES_SPACE "http://schemas.openxmlformats.org/markup-compatibility/2006"
 
 /* The state while a part is read. */
 typedef struct {
@@ -77,112 +20,6 @@ typedef struct {
 
 static mesh_builder *builder(const part_xml *x) { return x->p->b; }
 
-/* "slic3rpe:mmu_segmentation attributes". */
-static bool name_foreign(part_xml *x, const char *prefix, const char *name, const char *what) {
-  char text[60];
-  snprintf(text, sizeof text, "%.16s%s%.27s %s", prefix != NULL ? prefix : "",
-           prefix != NULL ? ":" : "", name, what);
-  return sepax__builder_other(builder(x), text, 1);
-}
-
-/* ---------------------------------------------------------------------- attributes */
-
-static bool is_core(const char *space) { return space == NULL || strcmp(space, CORE_SPACE) == 0; }
-
-static bool check_core_attribute(part_xml *x, core_element which, const char *name) {
-  char word[64];
-  const char *all = core[which].attributes;
-  const char *bar = strchr(all, '|');
-  snprintf(word, sizeof word, " %.60s ", name);
-  const char *found = strstr(all, word);
-  if (found == NULL || strchr(name, ' ') != NULL || name[0] == '|') {
-    return sepax__part_xml_fail(x, "<%s %.40s=...> is not in the specification; export it again",
-                                core[which].name, name);
-  }
-  return bar == NULL || found < bar || name_foreign(x, NULL, name, "attributes");
-}
-
-static bool check_attributes(part_xml *x, core_element which, const part_element *e) {
-  for (int n = 0; n < e->attributes; n++) {
-    part_attribute a = sepax__part_attribute(e, n);
-    bool uuid = a.space != NULL && strcmp(a.space, PRODUCTION_SPACE) == 0;
-    bool path = uuid && strcmp(a.name, "path") == 0 && (which == ITEM || which == COMPONENT);
-    bool ok = true;
-    if (a.prefix != NULL && a.space == NULL) {
-      ok = sepax__part_xml_fail(x, "%.40s:%.40s has a prefix without a namespace; export it again",
-                                a.prefix, a.name);
-    } else if (is_core(a.space)) {
-      ok = check_core_attribute(x, which, a.name);
-    } else if (strcmp(a.space, ALTERNATIVES_SPACE) == 0 && strcmp(a.name, "MustUnderstand") == 0) {
-      ok =
-          sepax__part_xml_fail(x, "MustUnderstand=\"%.*s\" is not read; export the file without it",
-                               (int)(a.length < 60 ? a.length : 60), a.value);
-    } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
-      ok = name_foreign(x, a.prefix, a.name, "attributes");
-    }
-    if (!ok) {
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool find_attribute(const part_element *e, const char *name, part_attribute *a) {
-  for (int n = 0; n < e->attributes; n++) {
-    *a = sepax__part_attribute(e, n);
-    if (is_core(a->space) && strcmp(a->name, name) == 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
-static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
-
-static void trim(part_attribute *a) {
-  while (a->length > 0 && is_blank(a->value[0])) {
-    a->value++;
-    a->length--;
-  }
-  while (a->length > 0 && is_blank(a->value[a->length - 1])) {
-    a->length--;
-  }
-}
-
-static bool read_number(part_xml *x, const part_attribute *given, double *value) {
-  part_attribute a = *given;
-  trim(&a);
-  return (a.length > 0 && sepax__number(a.value, a.length, value)) ||
-         sepax__part_xml_fail(x, "%s=\"%.*s\": give a finite number", a.name,
-                              (int)(a.length < 40 ? a.length : 40), a.value);
-}
-
-/* Read a whole number in 0 ... 2^31 - 1. */
-static bool read_whole(part_xml *x, const part_attribute *given, size_t *value) {
-  part_attribute a = *given;
-  size_t number = 0;
-  trim(&a);
-  bool ok = a.length > 0 && a.length <= 10;
-  for (size_t n = 0; n < a.length && ok; n++) {
-    ok = a.value[n] >= '0' && a.value[n] <= '9';
-    number = 10 * number + (size_t)(a.value[n] - '0');
-  }
-  *value = number;
-  return (ok && number <= INT32_MAX) ||
-         sepax__part_xml_fail(x, "%s=\"%.*s\": give a whole number of 0 ... 2147483647", a.name,
-                              (int)(a.length < 40 ? a.length : 40), a.value);
-}
-
-static bool required_whole(part_xml *x, core_element which, const part_element *e, const char *name,
-                           size_t *value) {
-  part_attribute a;
-  if (!find_attribute(e, name, &a)) {
-    return sepax__part_xml_fail(x, "<%s> without %s=\"...\"; export it again", core[which].name,
-                                name);
-  }
-  return read_whole(x, &a, value);
-}
-
 /* ------------------------------------------------------------------------- the model */
 
 static bool read_unit(part_xml *x, reading *r, const part_element *e) {
@@ -194,7 +31,7 @@ static bool read_unit(part_xml *x, reading *r, const part_element *e) {
   sepax_mesh_account *account = &builder(x)->account;
   part_attribute a;
   size_t n = 1;
-  if (find_attribute(e, "unit", &a)) {
+  if (sepax__core_attribute(e, "unit", &a)) {
     n = 0;
     while (n < 6 && !sepax__part_value_is(&a, units[n].name)) {
       n++;
@@ -236,7 +73,7 @@ static bool require_extension(part_xml *x, const part_element *e, const char *pr
                                 "prefix; export it again",
                                 shown, prefix);
   }
-  return is_core(space) || sepax__model_extension(space) == EXTENSION_READ ||
+  return sepax__is_core(space) || sepax__model_extension(space) == EXTENSION_READ ||
          sepax__part_xml_fail(x,
                               "it requires the extension %.*s (%.100s), which is not read; export "
                               "triangles alone",
@@ -245,11 +82,11 @@ static bool require_extension(part_xml *x, const part_element *e, const char *pr
 
 static bool read_model(part_xml *x, reading *r, const part_element *e) {
   part_attribute a;
-  if (find_attribute(e, "requiredextensions", &a)) {
+  if (sepax__core_attribute(e, "requiredextensions", &a)) {
     size_t at = 0;
     while (at < a.length) {
       size_t length = 0;
-      while (at + length < a.length && !is_blank(a.value[at + length])) {
+      while (at + length < a.length && !sepax__is_blank(a.value[at + length])) {
         length++;
       }
       if (length > 0 && !require_extension(x, e, a.value + at, length)) {
@@ -269,10 +106,10 @@ static bool read_object(part_xml *x, reading *r, const part_element *e) {
   part_attribute a;
   size_t id = 0;
   size_t type = 0;
-  if (!required_whole(x, OBJECT, e, "id", &id)) {
+  if (!sepax__core_required(x, CORE_OBJECT, e, "id", &id)) {
     return false;
   }
-  if (find_attribute(e, "type", &a)) {
+  if (sepax__core_attribute(e, "type", &a)) {
     while (type < 5 && !sepax__part_value_is(&a, types[type])) {
       type++;
     }
@@ -298,7 +135,7 @@ static bool read_once(part_xml *x, unsigned *seen, core_element which) {
   bool again = (*seen & 1u << which) != 0;
   *seen |= 1u << which;
   return !again ||
-         sepax__part_xml_fail(x, "a second <%s>; leave one of them out", core[which].name);
+         sepax__part_xml_fail(x, "a second <%s>; leave one of them out", sepax__core_name(which));
 }
 
 /* The object that is being read. */
@@ -309,11 +146,11 @@ static bool read_mesh_or_components(part_xml *x, reading *r, core_element which)
   if (!read_once(x, &r->in_object, which)) {
     return false;
   }
-  if ((r->in_object & 1u << MESH) != 0 && (r->in_object & 1u << COMPONENTS) != 0) {
+  if ((r->in_object & 1u << CORE_MESH) != 0 && (r->in_object & 1u << CORE_COMPONENTS) != 0) {
     return sepax__part_xml_fail(x, "object %zu has a mesh and components; give one of them", o->id);
   }
-  o->is_mesh = which == MESH;
-  o->first = which == MESH ? r->m->triangles : r->m->components;
+  o->is_mesh = which == CORE_MESH;
+  o->first = which == CORE_MESH ? r->m->triangles : r->m->components;
   o->vertex = r->m->vertices;
   return true;
 }
@@ -324,9 +161,9 @@ static bool read_vertex(part_xml *x, reading *r, const part_element *e) {
   unsigned got = 0;
   for (int n = 0; n < e->attributes; n++) {
     part_attribute a = sepax__part_attribute(e, n);
-    if (is_core(a.space)) {
+    if (sepax__is_core(a.space)) {
       int axis = a.name[0] - 'x';
-      if (!read_number(x, &a, &v[axis])) {
+      if (!sepax__core_number(x, &a, &v[axis])) {
         return false;
       }
       got |= 1u << axis;
@@ -351,10 +188,10 @@ static bool read_triangle(part_xml *x, reading *r, const part_element *e) {
   unsigned got = 0;
   for (int n = 0; n < e->attributes; n++) {
     part_attribute a = sepax__part_attribute(e, n);
-    if (is_core(a.space) && a.name[0] == 'v') {
+    if (sepax__is_core(a.space) && a.name[0] == 'v') {
       size_t index;
       int k = a.name[1] - '1';
-      if (!read_whole(x, &a, &index)) {
+      if (!sepax__core_whole(x, &a, &index)) {
         return false;
       }
       if (index >= vertices) {
@@ -383,7 +220,8 @@ static bool read_path(part_xml *x, const part_element *e, size_t *part) {
   *part = x->part;
   for (int n = 0; n < e->attributes; n++) {
     part_attribute a = sepax__part_attribute(e, n);
-    if (is_core(a.space) || strcmp(a.space, PRODUCTION_SPACE) != 0 || strcmp(a.name, "path") != 0) {
+    if (sepax__is_core(a.space) || strcmp(a.space, PRODUCTION_SPACE) != 0 ||
+        strcmp(a.name, "path") != 0) {
       continue;
     }
     char path[1024];
@@ -403,8 +241,8 @@ static bool read_use(part_xml *x, core_element which, const part_element *e, mod
                      size_t *count, size_t *space) {
   model_use use = {.in = x->part, .line = x->parser->input->line, .at = {.identity = true}};
   part_attribute a;
-  if (!required_whole(x, which, e, "objectid", &use.id) || !read_path(x, e, &use.part) ||
-      (find_attribute(e, "transform", &a) && !sepax__model_matrix(x, &a, &use.at))) {
+  if (!sepax__core_required(x, which, e, "objectid", &use.id) || !read_path(x, e, &use.part) ||
+      (sepax__core_attribute(e, "transform", &a) && !sepax__model_matrix(x, &a, &use.at))) {
     return false;
   }
   model_use *grown = list_grow(*list, space, *count, sizeof *grown);
@@ -422,13 +260,13 @@ static bool read_item(part_xml *x, reading *r, const part_element *e) {
   if (x->part != m->root) { /* by the production extension, they are of no account */
     return sepax__builder_other(builder(x), "build items of other parts than the first", 1);
   }
-  if (find_attribute(e, "printable", &a)) {
+  if (sepax__core_attribute(e, "printable", &a)) {
     bool no = sepax__part_value_is(&a, "0") || sepax__part_value_is(&a, "false");
     if (no && !sepax__builder_other(builder(x), "items not to be printed, which are read", 1)) {
       return false;
     }
   }
-  return read_use(x, ITEM, e, &m->item, &m->items, &m->item_space);
+  return read_use(x, CORE_ITEM, e, &m->item, &m->items, &m->item_space);
 }
 
 /* ---------------------------------------------------------------------------- elements */
@@ -436,53 +274,44 @@ static bool read_item(part_xml *x, reading *r, const part_element *e) {
 static bool read_core(part_xml *x, reading *r, core_element which, const part_element *e) {
   model *m = r->m;
   switch (which) {
-  case MODEL:
+  case CORE_MODEL:
     return read_model(x, r, e);
-  case RESOURCES:
-  case BUILD:
+  case CORE_RESOURCES:
+  case CORE_BUILD:
     return read_once(x, &r->seen, which);
-  case OBJECT:
+  case CORE_OBJECT:
     return read_object(x, r, e);
-  case MESH:
-  case COMPONENTS:
+  case CORE_MESH:
+  case CORE_COMPONENTS:
     return read_mesh_or_components(x, r, which);
-  case VERTICES:
+  case CORE_VERTICES:
     return read_once(x, &r->in_object, which);
-  case TRIANGLES:
-    return ((r->in_object & 1u << VERTICES) != 0 ||
+  case CORE_TRIANGLES:
+    return ((r->in_object & 1u << CORE_VERTICES) != 0 ||
             sepax__part_xml_fail(x, "<triangles> before <vertices>; export it again")) &&
            read_once(x, &r->in_object, which);
-  case VERTEX:
+  case CORE_VERTEX:
     return read_vertex(x, r, e);
-  case TRIANGLE:
+  case CORE_TRIANGLE:
     return read_triangle(x, r, e);
-  case COMPONENT:
+  case CORE_COMPONENT:
     current(r)->count++;
-    return read_use(x, COMPONENT, e, &m->component, &m->components, &m->component_space);
-  case ITEM:
+    return read_use(x, CORE_COMPONENT, e, &m->component, &m->components, &m->component_space);
+  case CORE_ITEM:
     return read_item(x, r, e);
-  case METADATA:
+  case CORE_METADATA:
     return sepax__builder_other(builder(x), "metadata", 1);
-  case BASE:
+  case CORE_BASE:
     return sepax__builder_other(builder(x), "base materials", 1);
   default:
     return true;
   }
 }
 
-static core_element find_core(core_element parent, const char *name) {
-  for (int n = MODEL; n < ELEMENTS; n++) {
-    if ((core[n].parents & 1u << parent) != 0 && strcmp(core[n].name, name) == 0) {
-      return (core_element)n;
-    }
-  }
-  return OUTSIDE;
-}
-
 /* Refuse text between elements, because it may be a damaged element. */
 static bool text(part_xml *x) {
   const reading *r = x->context;
-  return r->foreign > 0 || r->open[r->depth] == METADATA ||
+  return r->foreign > 0 || r->open[r->depth] == CORE_METADATA ||
          sepax__part_xml_fail(x, "text between elements; export it again");
 }
 
@@ -497,28 +326,28 @@ static bool start_foreign(part_xml *x, reading *r, const part_element *e) {
                                 "alone",
                                 e->name, e->space);
   }
-  return r->foreign++ > 0 || name_foreign(x, e->prefix, e->name, "elements");
+  return r->foreign++ > 0 || sepax__core_foreign(x, e->prefix, e->name, "elements");
 }
 
 static bool start(part_xml *x, const part_element *e) {
   reading *r = x->context;
   core_element parent = r->open[r->depth];
-  core_element which = OUTSIDE;
+  core_element which = CORE_OUTSIDE;
   if (r->foreign == 0 && e->space != NULL && strcmp(e->space, CORE_SPACE) == 0) {
-    which = find_core(parent, e->name);
+    which = sepax__core_find(parent, e->name);
   }
-  if (parent == OUTSIDE && r->depth == 0 && which != MODEL) {
+  if (parent == CORE_OUTSIDE && r->depth == 0 && which != CORE_MODEL) {
     return sepax__part_xml_fail(x, "its root is no <model> of %s; export it as 3MF", CORE_SPACE);
   }
-  if (r->foreign == 0 && which == OUTSIDE && is_core(e->space)) {
+  if (r->foreign == 0 && which == CORE_OUTSIDE && sepax__is_core(e->space)) {
     return sepax__part_xml_fail(x, "<%.40s> in <%s> is not in the specification; export it again",
-                                e->name, core[parent].name);
+                                e->name, sepax__core_name(parent));
   }
-  if (which == OUTSIDE) {
+  if (which == CORE_OUTSIDE) {
     return start_foreign(x, r, e);
   }
   r->open[++r->depth] = which;
-  return check_attributes(x, which, e) && read_core(x, r, which, e);
+  return sepax__core_check(x, which, e) && read_core(x, r, which, e);
 }
 
 static void end(part_xml *x) {
@@ -550,6 +379,6 @@ bool sepax__model_read(model *m, size_t part) {
   if (!sepax__part_xml_read(&x) || !check_objects(m, first)) {
     return false;
   }
-  return (r.seen & 1u << BUILD) != 0 || part != m->root ||
+  return (r.seen & 1u << CORE_BUILD) != 0 || part != m->root ||
          sepax__package_fail(&m->p, part, 0, "it has no <build>; export it again");
 }

@@ -63,7 +63,4 @@ bool sepax__model_place(model *m, size_t *unplaced);
 typedef enum { EXTENSION_READ, EXTENSION_SURFACES, EXTENSION_LEFT_OUT } extension_kind;
 extension_kind sepax__model_extension(const char *space);
 
-#define CORE_SPACE "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
-#define PRODUCTION_SPACE "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
-
 #endif
