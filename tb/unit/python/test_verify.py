@@ -167,15 +167,15 @@ class Sums(Folder):
 
 class Page(Folder):
     def test_figures(self) -> None:
-        self.assertEqual(verify.percent(16 / 18), "88.89 %")
-        self.assertEqual(verify.percent(None), "-")
-        self.assertEqual([verify.rate(7, seconds) for seconds in (2, 0, None)], [4, "-", "-"])
-        self.assertEqual(verify.hours(5400), 1.5)
+        self.assertEqual(verify.page.percent(16 / 18), "88.89 %")
+        self.assertEqual(verify.page.percent(None), "-")
+        self.assertEqual([verify.page.rate(7, seconds) for seconds in (2, 0, None)], [4, "-", "-"])
+        self.assertEqual(verify.page.hours(5400), 1.5)
 
     def test_cells(self) -> None:
         rows: List[Any] = [(False, [12000, None, "<x>"]), (True, [0, False, ""])]
         self.assertEqual(
-            verify.table(["a", "b", "c"], rows),
+            verify.page.table(["a", "b", "c"], rows),
             "<table><tr><th>a</th><th>b</th><th>c</th></tr>"
             "<tr><td>12,000</td><td>-</td><td>&lt;x&gt;</td></tr>\n"
             '<tr class="wrong"><td>0</td><td>-</td><td></td></tr></table>')
