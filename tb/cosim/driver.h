@@ -7,6 +7,8 @@
 #include "ports.h"
 #include "scoreboard.h"
 #include "sepax_design.h"
+#include "stress.h"
+#include "traits.h"
 #include "verilated_top.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ constexpr uint64_t MISMATCHES_SHOWN = 20;
 class Driver {
 public:
   Driver(const char *wave, uint64_t stress, const sepax_design &design)
-      : design(design), stress(stress), random{stress}, top(wave, stress), isolation(design) {
+      : design(design), stress(stress), top(wave, stress), isolation(design) {
     set_reset(*top, true);
     set_in_valid(*top, false);
     set_out_ready(*top, true);
@@ -28,7 +30,6 @@ public:
     top.settle();
     top.rise();
     set_reset(*top, false);
-    until_reset = next_reset();
   }
 
   bool too_many() const { return mismatches >= MISMATCHES_SHOWN || hung; }
@@ -36,18 +37,18 @@ public:
   // Offer the words of the pair until they are taken; under stress a stream has, before some, the
   // pair with a fault. False when the design hangs.
   bool send(uint64_t index, const sepax_pair &pair) {
-    if (index == 0 && HANDSHAKE && stress != 0) {
+    if (index == 0 && HANDSHAKE && stress.on()) {
       first = pair;
       capacity = fill(false);
       check_capacity();
     }
-    while (STREAMED && stress != 0 && draw() % 16 == 0) {
+    while (STREAMED && stress.on() && stress.draw() % 16 == 0) {
       damaged++;
-      if (!offer(index, pair, faulty())) {
+      if (!offer(index, pair, stress.faulty())) {
         return false;
       }
     }
-    return offer(index, pair, travel());
+    return offer(index, pair, stress.travel());
   }
 
   void drain() {
@@ -55,7 +56,7 @@ public:
       reset_by_chance();
       step(nullptr, 0);
     }
-    if (HANDSHAKE && stress != 0 && !hung && fill(true) != capacity) {
+    if (HANDSHAKE && stress.on() && !hung && fill(true) != capacity) {
       complain(nullptr, "not as many pairs are taken, verdicts blocked, as after the first reset");
     }
     for (int i = 0; i < 4 * (SEPAX_LATENCY + SEPAX_II) && !hung; i++) {
@@ -94,7 +95,7 @@ public:
       std::printf("%" PRIu64 " of them with a coordinate beyond the word, or cut short\n", damaged);
     }
     std::printf("latency %d: %" PRIu64 " pairs that did not wait; ", SEPAX_LATENCY, latencies);
-    if (stress != 0) {
+    if (stress.on()) {
       std::printf("random gaps%s, %" PRIu64 " resets, %" PRIu64 " pairs dropped by them, %" PRIu64
                   " offers withdrawn\n",
                   HANDSHAKE ? " and blocks" : "", resets, dropped, withdrawn);
@@ -113,54 +114,6 @@ public:
   uint64_t mismatches = 0, judged = 0, dropped = 0, damaged = 0; // pairs with a fault
 
 private:
-#ifdef SEPAX_CONFERENCE
-  static constexpr double PAPER_PS = 2500; // 400 MHz, table 4
-#else
-  static constexpr double PAPER_PS = 2000;
-#endif
-#if !SEPAX_EXACT
-  static constexpr int LAST_AXIS = 0; // none is told
-#elif defined SEPAX_EXTENT_A
-  static constexpr int LAST_AXIS = SEPAX_AXIS_EXTENT;
-#elif defined SEPAX_BOXES || defined SEPAX_BANDS
-  static constexpr int LAST_AXIS = SEPAX_AXIS_AABB;
-#else
-  static constexpr int LAST_AXIS = SEPAX_AXIS_PLANE;
-#endif
-#if !SEPAX_EXACT || defined SEPAX_BANDS
-  static constexpr bool SECOND_PASS = false;
-#else
-  static constexpr bool SECOND_PASS = true;
-#endif
-  // Cycles between pairs of a full stream.
-  static constexpr uint64_t PACE = SEPAX_II > INPUT_WORDS ? SEPAX_II : INPUT_WORDS;
-  // Without stress the first pairs go alone, until so many latencies were seen.
-  static constexpr uint64_t ALONE_LATENCIES = 3, ALONE_PAIRS = 32;
-  // A pair is alone after so many idle cycles. Behind an AABB test or a skid buffer a pair may be
-  // taken before the II window of the core, empty by then, ends.
-#if defined SEPAX_BOXES || defined SEPAX_STREAM || defined SEPAX_SKID
-  static constexpr uint64_t SETTLE = 1 + 2 * SEPAX_II;
-#else
-  static constexpr uint64_t SETTLE = 1;
-#endif
-  // Empty for more cycles, a design takes a pair at once.
-  static constexpr uint64_t RESTED = 1 + 2 * SEPAX_II;
-#if defined SEPAX_EXTENT_A
-  static constexpr uint64_t BOXES = 2;
-#elif defined SEPAX_BOXES
-  static constexpr uint64_t BOXES = 1;
-#else
-  static constexpr uint64_t BOXES = 0;
-#endif
-#if defined SEPAX_SKID || defined SEPAX_STREAM
-  static constexpr uint64_t SKID = 1;
-#else
-  static constexpr uint64_t SKID = 0;
-#endif
-  static constexpr int LEAVES = 1 + (int)SKID; // cycles from a verdict that leaves to a pair
-  // Cycles of waiting, out_ready high, with no transfer on either side.
-  static constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
-
   // How many times the first pair is taken while every verdict is blocked; then all leave. Slowly:
   // a pair is offered when the one before has gone as far as it can.
   uint64_t fill(bool slowly) {
@@ -238,7 +191,7 @@ private:
       hang("more pairs were taken than the design can hold");
     }
     scoreboard.push(e);
-    if (stress == 0) {
+    if (!stress.on()) {
       pace(e);
     }
     return true;
@@ -248,14 +201,14 @@ private:
   // true if the word is taken. In a gap noise may be offered while nothing is taken, as by a
   // partner that withdraws what it offers, against the rules of AXI.
   bool step(const Outstanding *e, int word) {
-    bool offer = (stress == 0 || next(&offering)) && e != nullptr;
+    bool offer = stress.offers() && e != nullptr;
     if (offer) {
       drive(*top, e->pair, word, e->travel);
-    } else if (stress != 0) {
+    } else if (stress.on()) {
       drive_noise();
-      withdraws = HANDSHAKE && draw() % 2 == 0;
+      withdraws = HANDSHAKE && stress.draw() % 2 == 0;
     }
-    const bool taken = tick(offer, !HANDSHAKE || stress == 0 || next(&accepting));
+    const bool taken = tick(offer, !HANDSHAKE || stress.accepts());
     withdraws = false;
     return taken;
   }
@@ -265,7 +218,7 @@ private:
     set_out_ready(*top, ready);
     cycle++;
     top.settle();
-    if (HANDSHAKE && stress != 0) {
+    if (HANDSHAKE && stress.on()) {
       check_independence(offer, ready);
     }
     if (withdraws && !in_ready(*top)) { // it will not be, since in_ready is independent
@@ -390,78 +343,26 @@ private:
     last_taken = e.cycle;
   }
 
-  // ------------------------------------------------------------------------ stress
-
-  uint64_t draw() { return sepax_random_next(&random); }
-
-  // A stretch of cycles in which a signal is 1 in `eighths` of 8 cycles.
-  struct Stretch {
-    uint64_t left, eighths;
-  };
-
-  bool next(Stretch *s) {
-    static const uint64_t rates[] = {0, 1, 4, 7, 8};
-    if (s->left == 0) {
-      s->left = 1 + draw() % (8 * SEPAX_LATENCY);
-      s->eighths = rates[draw() % 5];
-    }
-    s->left--;
-    return draw() % 8 < s->eighths;
-  }
-
-  // A tag of many values, and now and then TLAST.
-  Travel travel() {
-    Travel t;
-#ifdef SEPAX_STREAM
-    t.tag = (draw() << 32 ^ draw()) & TAG_MASK;
-    t.last = draw() % 4 == 0;
-#endif
-    return t;
-  }
-
-  // The same, with a coordinate beyond the word or cut short, where there can be.
-  Travel faulty() {
-    Travel t = travel();
-    constexpr int CUTS = INPUT_WORDS - 1;
-    if (CUTS > 0 && (SEPAX_WORD == 32 || draw() % 2 == 0)) {
-      t.cut = 1 + (int)(draw() % (uint64_t)(CUTS > 0 ? CUTS : 1));
-      t.last = true;
-    } else if (SEPAX_WORD < 32) {
-      t.outside = 1 + (uint32_t)(draw() % 100000);
-    }
-    return t;
-  }
-
   void drive_noise() {
-    sepax_pair noise;
-    for (int k = 0; k < 24; k++) {
-      coordinate(noise, k) = (int32_t)(uint32_t)draw();
-    }
-    drive(*top, noise, 0, travel());
-  }
-
-  // A few cycles or many thousand.
-  uint64_t next_reset() {
-    uint64_t most = UINT64_C(8) << draw() % 13;
-    return draw() % most;
+    const sepax_pair noise = stress.noise();
+    drive(*top, noise, 0, stress.travel());
   }
 
   // Now and then a reset, which drops every pair in flight. Nothing is handed over in a cycle of
   // reset, whatever valid and ready say.
   bool reset_by_chance() {
-    if (stress == 0 || until_reset-- != 0) {
+    if (!stress.resets()) {
       return false;
     }
-    until_reset = next_reset();
     set_reset(*top, true);
     do {
       drive_noise();
-      set_in_valid(*top, draw() % 2 != 0);
-      set_out_ready(*top, draw() % 2 != 0);
+      set_in_valid(*top, stress.draw() % 2 != 0);
+      set_out_ready(*top, stress.draw() % 2 != 0);
       cycle++;
       top.settle();
       top.rise();
-    } while (draw() % 3 == 0);
+    } while (stress.draw() % 3 == 0);
     set_reset(*top, false);
     idle = 0;
     isolation.forget();
@@ -492,19 +393,17 @@ private:
   }
 
   const sepax_design &design;
-  uint64_t stress;
-  sepax_random random;
+  Stress stress;
   VerilatedTop<Top> top;
   Isolation isolation;
   Scoreboard scoreboard;
   bool hung = false;
-  bool withdraws = false; // noise is offered in this cycle unless it would be taken
-  sepax_pair first{};     // pair of a run under stress
-  uint64_t capacity = 0;  // pairs that are taken while verdicts are blocked
-  Stretch offering{0, 0}, accepting{0, 0};
+  bool withdraws = false;    // noise is offered in this cycle unless it would be taken
+  sepax_pair first{};        // pair of a run under stress
+  uint64_t capacity = 0;     // pairs that are taken while verdicts are blocked
   Verdict blocked_verdict{}; // shown and blocked in the cycle before
   uint64_t idle = 0;         // cycles for which it has been empty, this one, too
-  uint64_t cycle = 0, until_reset = 0, blocked = 0, waited = 0, last_verdict_cycle = 0;
+  uint64_t cycle = 0, blocked = 0, waited = 0, last_verdict_cycle = 0;
   uint64_t collisions = 0, coplanar = 0, latencies = 0, resets = 0, withdrawn = 0;
   uint64_t axes[LAST_AXIS + 1] = {}, bands[3] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;
