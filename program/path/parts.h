@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* parts.h - what the parts of sepax path share. command.c and options.c read the options. scene.c
- * makes bodies from links and pairs from bodies. rules.c lets pairs meet. search.c decides each
- * pair in each line. certify.c proves the motion between lines. results.c combines the verdicts.
- * certificate.c writes the proof. engine.c and jobs.c make jobs. text.c, data.c, picture.c and
- * page.c print and write the results. */
+/* parts.h - what the parts of sepax path share. options.c and scene_options.c read the options.
+ * scene.c makes bodies from links and pairs from bodies. rules.c lets pairs meet. search.c decides
+ * each pair in each line. certify.c proves the motion between lines. results.c combines the
+ * verdicts. certificate.c writes the proof. engine.c and jobs.c make jobs. text.c, data.c,
+ * picture.c and page.c print and write the results. */
 #ifndef SEPAX_PATH_PARTS_H
 #define SEPAX_PATH_PARTS_H
 
@@ -228,6 +228,12 @@ typedef struct {
 /* An argp child for the options of a scene: SRDF, packages, bands, rules of the path. Its input is
  * a path_question. */
 extern const struct argp path_scene_argp;
+
+/* Read the options of sepax path. Ends the program if they are wrong. */
+void path_parse(path_question *q, int argc, char **argv);
+
+/* Do the options go together? */
+bool path_options_agree(const path_question *q, sepax_error *error);
 
 /* Load the scene. After false the scene can be freed. */
 bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *error);

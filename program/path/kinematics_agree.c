@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* agree.c - whether the URDF moves as the kinematics of the control say. With the tool center point
- * in force, the nose of the spindle, without a tool, is where the axes are, as seen from the table,
- * however the rotary axes are turned. So the difference of both must be the same everywhere. A
- * pivot, an offset or a direction of the URDF that is not that of the control shows here.
+/* kinematics_agree.c - whether the URDF moves as the kinematics of the control say. With the tool
+ * center point in force, the nose of the spindle, without a tool, is where the axes are, as seen
+ * from the table, however the rotary axes are turned. So the difference of both must be the same
+ * everywhere. A pivot, an offset or a direction of the URDF that is not that of the control shows
+ * here.
  *
  * If a program never applies the length of a tool, then the control may have been set up for the
  * tip instead: a point some way below the nose does as well. The output names it. */

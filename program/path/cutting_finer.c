@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* closer.c - a closer look at what a tool touches: a small stock with finer cells. */
+/* cutting_finer.c - a closer look at what a tool touches: a small stock with finer cells. */
 #include "path/cutting_state.h"
 
 /* Closer looks at most, and the cells on a side of what they look at. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* left.c - what is left of the stock, as a file. */
+/* cutting_left.c - what is left of the stock, as a file. */
 #include "path/cutting_state.h"
 #include "util/write_file.h"
 
