@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* pieces.c - the formulas of the tree engine's modules. docs/reference/tree-engine.md, Arithmetic,
- * has the formulas, the widths and the proof that no collision is missed. */
+/* arithmetic.c - the formulas of the tree engine's modules. docs/reference/tree-engine.md,
+ * Arithmetic, has the formulas, the widths and the proof that no collision is missed. */
 #include "tree_engine/walk.h"
 
 #include "util/aabb.h"

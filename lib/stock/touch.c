@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* test.c - do shapes touch cells on a way?
+/* touch.c - do shapes touch cells on a way?
  *
  * A piece is free if the sweep of the shape, made larger by the deviation and the tolerance, is
  * proved to miss every cell that is there: then no point of the shape is in a cell at any time of
