@@ -2,6 +2,7 @@
 /* shapes.c - makes triangles from collision geometry, in the coordinates of its link. */
 #include "robot/robot.h"
 #include "util/error.h"
+#include "util/hash.h"
 #include "util/memory.h"
 #include "util/options.h"
 
@@ -259,17 +260,6 @@ static void sort_corners(const sepax_facet *facet, double v[3][3]) {
   }
 }
 
-static uint64_t hash_of(const double v[3][3]) {
-  uint64_t word[9];
-  uint64_t h = 0;
-  memcpy(word, v, sizeof word);
-  for (int i = 0; i < 9; i++) {
-    h = (h ^ word[i]) * UINT64_C(0x9e3779b97f4a7c15);
-    h ^= h >> 32;
-  }
-  return h;
-}
-
 bool sepax__distinct(sepax_soup *mesh) {
   size_t slots = 16;
   while (slots < 2 * mesh->count) {
@@ -283,7 +273,7 @@ bool sepax__distinct(sepax_soup *mesh) {
     double other[3][3];
     bool is_new = true;
     sort_corners(&mesh->facet[n], v);
-    size_t at = (size_t)hash_of((const double(*)[3])v) & (slots - 1);
+    size_t at = (size_t)hash_doubles((const double *)v, 9) & (slots - 1);
     for (; slot[at] != 0 && is_new; at = (at + 1) & (slots - 1)) {
       sort_corners(&mesh->facet[slot[at] - 1], other);
       is_new = false;

@@ -2,23 +2,13 @@
 /* weld.c - merges vertices of a mesh that are within a length of each other. */
 #include "mesh/weld.h"
 #include "util/error.h"
+#include "util/hash.h"
 #include "util/memory.h"
 
 #include <math.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------- the vertices */
-
-static uint64_t hash_of(const double v[3]) {
-  uint64_t word[3];
-  uint64_t h = 0;
-  memcpy(word, v, sizeof word);
-  for (int i = 0; i < 3; i++) {
-    h = (h ^ word[i]) * UINT64_C(0x9e3779b97f4a7c15);
-    h ^= h >> 32;
-  }
-  return h * UINT64_C(0xd6e8feb86659fd93) >> 8;
-}
 
 static bool same(const double p[3], const double q[3]) {
   return !weld_below(p, q) && !weld_below(q, p);
@@ -40,7 +30,7 @@ static bool number_vertices(welding *w, const sepax_soup *soup) {
     for (int i = 0; i < 3; i++) {
       v[i] = soup->facet[n / 3].v[n % 3][i] + 0.0; /* -0 becomes 0 */
     }
-    size_t at = (size_t)hash_of(v) & (slots - 1);
+    size_t at = (size_t)(hash_doubles(v, 3) >> 8) & (slots - 1);
     while (slot[at] != 0 && !same(w->vertex[slot[at] - 1], v)) {
       at = (at + 1) & (slots - 1);
     }
@@ -71,7 +61,7 @@ typedef struct {
 static double cell_of(const welding *w, double x) { return floor(x / (8 * w->length)) + 0.0; }
 
 static size_t find_cell(const cells *c, const double cell[3]) {
-  size_t at = (size_t)hash_of(cell) & c->mask;
+  size_t at = (size_t)(hash_doubles(cell, 3) >> 8) & c->mask;
   while (c->slot[at] != 0 && !same(c->cell[c->slot[at] - 1], cell)) {
     at = (at + 1) & c->mask;
   }

@@ -7,6 +7,7 @@
  * sheets that lie on each other are closed with two, but a triangle of a shell that occurs twice is
  * closed with one. All copies that share edges are decided together. */
 #include "mesh/weld.h"
+#include "util/hash.h"
 #include "util/memory.h"
 
 #include <string.h>
@@ -60,8 +61,7 @@ static bool find_copies(const welding *w, sorted *s) {
     bool back = put_in_order(w, w->corner[n], key);
     uint64_t hash = 0;
     for (int k = 0; k < 3; k++) {
-      hash = (hash ^ key[k]) * UINT64_C(0x9e3779b97f4a7c15);
-      hash ^= hash >> 29;
+      hash = hash_add(hash, key[k]);
     }
     size_t at = (size_t)hash & (slots - 1);
     for (; slot[at] != 0; at = (at + 1) & (slots - 1)) {

@@ -13,6 +13,7 @@
 #include "body/body.h"
 #include "body/orient.h"
 #include "parts.h"
+#include "util/hash.h"
 #include "util/memory.h"
 #include "util/error.h"
 #include "util/list.h"
@@ -53,17 +54,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------- vertices */
 
-static uint64_t hash_of(const double v[3]) {
-  uint64_t word[3];
-  uint64_t h = 0;
-  memcpy(word, v, sizeof word);
-  for (int i = 0; i < 3; i++) {
-    h = (h ^ word[i]) * UINT64_C(0x9e3779b97f4a7c15);
-    h ^= h >> 32;
-  }
-  return h * UINT64_C(0xd6e8feb86659fd93);
-}
-
 static void enter(slot *slots, size_t mask, uint64_t hash, uint32_t number) {
   size_t at = (size_t)hash & mask;
   while (slots[at].number != 0) {
@@ -88,7 +78,7 @@ static bool reserve_vertex(surface *s) {
     return false;
   }
   for (size_t n = 0; n < s->vertices; n++) {
-    enter(slots, 2 * capacity - 1, hash_of(s->vertex[n]), (uint32_t)n + 1);
+    enter(slots, 2 * capacity - 1, hash_doubles(s->vertex[n], 3), (uint32_t)n + 1);
   }
   sepax_release(s->slot);
   s->slot = slots;
@@ -107,7 +97,7 @@ static bool same_point(const double p[3], const double q[3]) {
 
 /* The number of the vertex with these coordinates, which may be new. */
 static uint32_t number_vertex(surface *s, const double v[3]) {
-  uint64_t hash = hash_of(v);
+  uint64_t hash = hash_doubles(v, 3);
   for (size_t at = (size_t)hash & s->mask; s->slot[at].number != 0; at = (at + 1) & s->mask) {
     uint32_t number = s->slot[at].number - 1;
     if (s->slot[at].tag == (uint32_t)(hash >> 32) && same_point(s->vertex[number], v)) {

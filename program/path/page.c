@@ -4,6 +4,7 @@
 #include "report/json.h"
 #include "path/page.h"
 #include "util/error.h"
+#include "util/hash.h"
 #include "util/text.h"
 #include "util/write_file.h"
 
@@ -133,8 +134,7 @@ static void find_vertex(corners *c, size_t corner, const double v[3]) {
   for (int i = 0; i < 3; i++) {
     float f = (float)fmin(fmax(v[i], -FLT_MAX), FLT_MAX) + 0.0F; /* -0 is 0 */
     memcpy(&key[i], &f, sizeof key[i]);
-    hash = (hash ^ key[i]) * 0x9e3779b97f4a7c15U;
-    hash ^= hash >> 32;
+    hash = hash_add(hash, key[i]);
   }
   size_t at = (size_t)hash & c->mask;
   while (c->place[at] != 0 && memcmp(c->vertex[c->place[at] - 1], key, sizeof key) != 0) {
