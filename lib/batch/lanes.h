@@ -2,12 +2,14 @@
 /* lanes.h - the exact verdicts of SIMD_LANES pairs at once (private; pairs.c includes it once for
  * each instruction set). Beyond the macros of util/simd.h:
  *
- * SIMD_LOAD(from)           the next SIMD_LANES int32_t, sign-extended
- * SIMD_LOAD_REALS(from)     the same as doubles
- * SIMD_PRODUCT(p, q)        product of the low 32 bits of each lane, signed. Without it sepax_exact
- *                           judges the pairs that are uncertain in doubles, and SIMD_LOAD is not
- * used SIMD_LEAST_REAL(p, q)     the lesser of doubles SIMD_BITS_OF_SHORTS(v)    the sign bits of a
- * vector of int32_t as a number SIMD_LEAST(p, q), SIMD_MOST(p, q)   the lesser, the greater int32_t
+ * SIMD_LOAD(from)          the next SIMD_LANES int32_t, sign-extended
+ * SIMD_LOAD_REALS(from)    the same as doubles
+ * SIMD_PRODUCT(p, q)       product of the low 32 bits of each lane, signed. It may be undefined:
+ *                          then sepax_exact judges the pairs that doubles leave uncertain
+ * SIMD_LEAST_REAL(p, q)    the lesser of doubles
+ * SIMD_BITS_OF_SHORTS(v)   the sign bits of a vector of int32_t as a number
+ * SIMD_LEAST(p, q)         the lesser int32_t
+ * SIMD_MOST(p, q)          the greater int32_t
  *
  * In doubles all products and sums of coordinates of 25 bits are exact, up to orient2d. The 19
  * products of orient2d and z sums round, and so do orient3d, their sums of up to four. With

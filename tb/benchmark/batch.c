@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* batch.c - the batch and the search among meshes at length.
- *   batch check COUNT        COUNT pairs of all families at W = 8, 18, 24, 32 each: every
- *                                  path, and meshes halved and by brute force, against verdicts one
- * by one batch scale              time per pair over the number of pairs and of triangles batch
- * meshes A.stl B.stl halving, brute force, and threads, on two meshes */
+ *
+ *   batch check COUNT           COUNT pairs of all families at W = 8, 18, 24, 32 each: every vector
+ *                               path, and meshes halved and by brute force, against single verdicts
+ *   batch scale                 time per pair over the number of pairs and of triangles
+ *   batch meshes A.stl B.stl    halving, brute force and threads on two meshes */
 #include "columns.h"
 
 #include <inttypes.h>
