@@ -103,6 +103,32 @@ static bool *switch_of(path_question *q, int key) {
   }
 }
 
+/* The field of an option that is a name. */
+static const char **name_of(path_question *q, int key) {
+  switch (key) {
+  case KEY_CERTIFICATE:
+    return &q->certificate;
+  case KEY_RULES:
+    return &q->table;
+  case KEY_LEFT:
+    return &q->left;
+  case KEY_MOTION:
+    return &q->written;
+  case KEY_TUBE:
+    return &q->tube;
+  case KEY_CSV:
+    return &q->csv;
+  case KEY_WORST:
+    return &q->picture;
+  case KEY_PAGE:
+    return &q->page;
+  case KEY_JOBS:
+    return &q->jobs;
+  default:
+    return NULL;
+  }
+}
+
 static error_t parse(int key, char *text, struct argp_state *state) {
   path_question *q = state->input;
   bool *on = switch_of(q, key);
@@ -110,43 +136,21 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     *on = true;
     return 0;
   }
+  const char **name = name_of(q, key);
+  if (name != NULL) {
+    *name = text;
+    return 0;
+  }
   switch (key) {
   case ARGP_KEY_INIT:
     state->child_inputs[0] = q;
     state->child_inputs[1] = &q->output;
-    return 0;
-  case KEY_CERTIFICATE:
-    q->certificate = text;
     return 0;
   case KEY_RESOLUTION:
     q->resolution = cli_limit(state, "resolution", text, CLI_METRES);
     return 0;
   case KEY_INTERVALS:
     q->intervals = (size_t)cli_count(state, "intervals", text, 1, INTERVALS_MOST);
-    return 0;
-  case KEY_RULES:
-    q->table = text;
-    return 0;
-  case KEY_LEFT:
-    q->left = text;
-    return 0;
-  case KEY_MOTION:
-    q->written = text;
-    return 0;
-  case KEY_TUBE:
-    q->tube = text;
-    return 0;
-  case KEY_CSV:
-    q->csv = text;
-    return 0;
-  case KEY_WORST:
-    q->picture = text;
-    return 0;
-  case KEY_PAGE:
-    q->page = text;
-    return 0;
-  case KEY_JOBS:
-    q->jobs = text;
     return 0;
   case KEY_WORD:
     q->word = (int)cli_count(state, "word", text, PATH_WORD_MIN, SEPAX_TREE_WORD_MAX);

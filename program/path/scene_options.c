@@ -124,8 +124,39 @@ static void add_package(path_question *q, const struct argp_state *state, char *
   }
 }
 
+/* The field of an option that is a name. */
+static const char **name_of(path_question *q, int key) {
+  switch (key) {
+  case KEY_SRDF:
+    return &q->srdf;
+  case KEY_TOOLS:
+    return &q->tools;
+  case KEY_TOOL_LINK:
+    return &q->tool_link;
+  case KEY_START:
+    return &q->start;
+  case KEY_STOCK:
+    return &q->stock;
+  case KEY_PART:
+    return &q->part;
+  case KEY_FIRST:
+    return &q->first;
+  case KEY_MACHINE:
+    return &q->machine;
+  case KEY_TOOL_TABLE:
+    return &q->tool_table;
+  default:
+    return NULL;
+  }
+}
+
 static error_t parse(int key, char *text, struct argp_state *state) {
   path_question *q = state->input;
+  const char **name = name_of(q, key);
+  if (name != NULL) {
+    *name = text;
+    return 0;
+  }
   switch (key) {
   case ARGP_KEY_INIT:
     q->bands.unit = CLI_METRES;
@@ -136,32 +167,14 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     q->meshes.unit = CLI_METRES;
     state->child_inputs[1] = &q->meshes;
     return 0;
-  case KEY_SRDF:
-    q->srdf = text;
-    return 0;
   case KEY_PACKAGE:
     add_package(q, state, text);
     return 0;
   case KEY_HOLD:
     q->rules.hold = true;
     return 0;
-  case KEY_TOOLS:
-    q->tools = text;
-    return 0;
-  case KEY_TOOL_LINK:
-    q->tool_link = text;
-    return 0;
-  case KEY_START:
-    q->start = text;
-    return 0;
   case KEY_LOADED:
     q->loaded = (int)cli_count(state, "loaded", text, 0, 1000000);
-    return 0;
-  case KEY_STOCK:
-    q->stock = text;
-    return 0;
-  case KEY_PART:
-    q->part = text;
     return 0;
   case KEY_GOUGE:
     q->gouge = cli_limit(state, "gouge", text, CLI_METRES);
@@ -177,15 +190,6 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_DEPTH:
     q->depth = cli_limit(state, "depth", text, CLI_METRES);
-    return 0;
-  case KEY_FIRST:
-    q->first = text;
-    return 0;
-  case KEY_MACHINE:
-    q->machine = text;
-    return 0;
-  case KEY_TOOL_TABLE:
-    q->tool_table = text;
     return 0;
   case KEY_AXIS:
     add_axis(q, state, text);

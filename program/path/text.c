@@ -229,16 +229,44 @@ static void print_jobs(const path_scene *scene) {
   printf("sepax gen %s -o DIR\n", sepax_config_text(&scene->jobs->config, text, sizeof text));
 }
 
-void path_print_text(const path_scene *scene, const path_question *q) {
+/* The last line: the verdict of all pairs, and how many have it. */
+static void print_verdict(const path_scene *scene, const path_question *q) {
   report_verdict worst = path_worst(scene);
-  int width = 0;
   size_t such = 0;
+  for (size_t n = 0; n < scene->pairs; n++) {
+    such += path_verdict_of(&scene->pair[n]) == worst;
+  }
+  const path_pair *pair = NULL;
+  path_moment first = path_worst_moment(scene, &pair);
+  printf("%s  %zu of ", report_verdict_titles[worst], such);
+  report_print_count(scene->pairs, "pair");
+  if (worst != VERDICT_FREE) {
+    fputs(", first ", stdout);
+    if (first.part > 0) {
+      print_segment(scene, first.line);
+    } else {
+      fputs("in ", stdout);
+      path_print_line(scene, pair, first.line);
+    }
+  }
+  fputs(q->certify ? " (checked in the lines of the path and between them"
+                   : " (checked in the lines of the path, not between them",
+        stdout);
+  if (path_certified(scene) && q->bands.clearance.length > 0) {
+    printf("; between the lines all pairs%s are farther apart than %s",
+           scene->tool_link != SIZE_MAX ? ", but for flutes and shanks with stock and part," : "",
+           q->bands.clearance.text);
+  }
+  printf("), %.3f s\n", scene->seconds + scene->between_seconds + scene->stock.seconds);
+}
+
+void path_print_text(const path_scene *scene, const path_question *q) {
+  int width = 0;
   for (size_t n = 0; n < scene->pairs; n++) {
     const path_pair *pair = &scene->pair[n];
     int length = (int)(strlen(path_body_name(scene, pair->body[0])) +
                        strlen(path_body_name(scene, pair->body[1])) + 2);
     width = length > width ? length : width;
-    such += path_verdict_of(pair) == worst;
   }
   path_print_scene(scene, q);
   if (q->bands.clearance.text != NULL) {
@@ -272,26 +300,5 @@ void path_print_text(const path_scene *scene, const path_question *q) {
   if (q->tube != NULL) {
     print_tube(scene, q);
   }
-  const path_pair *pair = NULL;
-  path_moment first = path_worst_moment(scene, &pair);
-  printf("%s  %zu of ", report_verdict_titles[worst], such);
-  report_print_count(scene->pairs, "pair");
-  if (worst != VERDICT_FREE) {
-    fputs(", first ", stdout);
-    if (first.part > 0) {
-      print_segment(scene, first.line);
-    } else {
-      fputs("in ", stdout);
-      path_print_line(scene, pair, first.line);
-    }
-  }
-  fputs(q->certify ? " (checked in the lines of the path and between them"
-                   : " (checked in the lines of the path, not between them",
-        stdout);
-  if (path_certified(scene) && q->bands.clearance.length > 0) {
-    printf("; between the lines all pairs%s are farther apart than %s",
-           scene->tool_link != SIZE_MAX ? ", but for flutes and shanks with stock and part," : "",
-           q->bands.clearance.text);
-  }
-  printf("), %.3f s\n", scene->seconds + scene->between_seconds + scene->stock.seconds);
+  print_verdict(scene, q);
 }
