@@ -5,17 +5,23 @@
 
 #include "sepax.h"
 
+/* Readings of a part with equal triangles: with all of them; with one of each; with half of each.
+ */
+enum { SOLID_ALL = 1, SOLID_ONE = 2, SOLID_HALF = 4, SOLID_READINGS = 7 };
+
 typedef struct {
   double vertex[3];       /* one vertex of the part */
   double low[3], high[3]; /* its AABB */
   bool consistent;
-  bool open;      /* it has an open edge */
-  uint32_t piece; /* number of its piece; parts with common points have the same */
+  bool open;        /* it has an open edge */
+  uint8_t readings; /* in which the part is closed, and which differ */
+  uint32_t piece;   /* number of its piece; parts with common points have the same */
 } solid_part;
 
 struct sepax_parts {
   solid_part *part;  /* the parts of a piece follow each other */
   uint32_t *of;      /* the part of each triangle, in the tree's order */
+  uint8_t *copy;     /* the readings that leave out the triangle; NULL if all parts have one */
   double open[2][3]; /* AABB of all open parts, least and greatest coordinates; empty if all are
                         closed */
 };
@@ -36,9 +42,12 @@ static inline void join(uint32_t *parent, uint32_t n, uint32_t m) {
 }
 
 /* Fill in parts, pieces and `own` of a shell. parent: sets of triangles that are parts. turned,
- * open: for each edge that is not consistent or is open, one of its triangles. False without
- * memory. */
-bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned, const bool *open);
+ * open: for each edge that is not consistent or is open, one of its triangles. broken: for each
+ * edge, the readings in which it is open, at one of its triangles. copy: the readings that leave
+ * out a triangle. If it is needed, it is taken over, and *copy becomes NULL. False without memory.
+ */
+bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned, const bool *open,
+                       const uint8_t *broken, uint8_t **copy);
 void sepax__free_parts(struct sepax_parts *parts);
 
 /* Join the sets of parts that have a point in common. False without memory. */

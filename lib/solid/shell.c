@@ -47,6 +47,8 @@ typedef struct {
                       half: the triangle */
   bool *turned;    /* marks one triangle at each edge that is not consistent */
   bool *open;      /* marks one triangle at each open edge */
+  uint8_t *copy;   /* the readings that leave out the triangle */
+  uint8_t *broken; /* the readings in which an edge of the triangle is open */
   edge_end *odd;
   size_t odds, odd_capacity;
   uint32_t *parent; /* another triangle of the same part; the first of a part has itself */
@@ -195,6 +197,55 @@ static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *
   shell->consistent = shell->consistent && !uneven;
 }
 
+/* Triangles that are compared with each other at one edge. */
+enum { MOST_COPIES = 64 };
+
+static uint32_t third_vertex(const surface *s, uint32_t triangle, uint32_t p, uint32_t q) {
+  for (int k = 0; k < 3; k++) {
+    uint32_t v = s->corner[triangle][k];
+    if (v != p && v != q) {
+      return v;
+    }
+  }
+  return p; /* it has no area */
+}
+
+/* Mark equal triangles that a reading of the part leaves out, and an edge that is open in it. Each
+ * triangle is looked at where its two lowest vertices are. */
+static void find_copies(const surface *s, const uint64_t *edge, size_t count, uint32_t p) {
+  uint32_t q = (uint32_t)(edge[0] >> 33);
+  uint32_t third[MOST_COPIES];
+  size_t left[2] = {0};
+  bool halves = true;
+  if (count > MOST_COPIES) {
+    s->broken[(uint32_t)edge[0]] |= SOLID_ONE | SOLID_HALF;
+    return;
+  }
+  for (size_t n = 0; n < count; n++) {
+    third[n] = third_vertex(s, (uint32_t)edge[n], p, q);
+  }
+  for (size_t n = 0; n < count; n++) {
+    size_t before = 0;
+    size_t equal = 0;
+    if (third[n] == p) {
+      continue; /* it has the edge twice */
+    }
+    for (size_t k = 0; k < count; k++) {
+      equal += third[k] == third[n];
+      before += third[k] == third[n] && k < n;
+    }
+    halves = halves && equal % 2 == 0;
+    left[0] += before == 0;
+    left[1] += before % 2 == 0;
+    if (third[n] > q) {
+      s->copy[(uint32_t)edge[n]] =
+          (before > 0 ? SOLID_ONE : 0) | (before % 2 != 0 ? SOLID_HALF : 0);
+    }
+  }
+  s->broken[(uint32_t)edge[0]] |=
+      (left[0] % 2 != 0 ? SOLID_ONE : 0) | (!halves || left[1] % 2 != 0 ? SOLID_HALF : 0);
+}
+
 /* Judge the triangles at one edge with the vertices p and edge[...] >> 33. */
 static bool judge_edge(surface *s, const uint64_t *edge, size_t count, uint32_t p,
                        sepax_shell *shell) {
@@ -203,6 +254,7 @@ static bool judge_edge(surface *s, const uint64_t *edge, size_t count, uint32_t 
     turn += (edge[n] >> 32 & 1) != 0 ? 1 : -1;
     join(s->parent, (uint32_t)edge[0], (uint32_t)edge[n]);
   }
+  find_copies(s, edge, count, p);
   edge_end end = {p, (uint32_t)(edge[0] >> 33), (uint32_t)edge[0], -(int32_t)turn};
   if (count % 2 == 0) {
     judge_sum(s, false, turn, &end, shell);
@@ -335,15 +387,17 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
   s->parent = sepax_allocate(s->count * sizeof *s->parent);
   s->turned = sepax__zeroed(s->count, sizeof *s->turned);
   s->open = sepax__zeroed(s->count, sizeof *s->open);
+  s->broken = sepax__zeroed(s->count, sizeof *s->broken);
+  s->copy = sepax__zeroed(s->count, sizeof *s->copy);
   s->begin = sepax_allocate((s->vertices + 1) * sizeof *s->begin);
   s->edge = sepax_allocate(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->begin == NULL ||
-      s->edge == NULL) {
+  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->broken == NULL ||
+      s->copy == NULL || s->begin == NULL || s->edge == NULL) {
     return false;
   }
   list_edges(s);
   return judge_edges(s, shell) && judge_ends(s, shell) &&
-         sepax__find_parts(shell, s->parent, s->turned, s->open);
+         sepax__find_parts(shell, s->parent, s->turned, s->open, s->broken, &s->copy);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -361,6 +415,8 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.parent);
   sepax_release(s.turned);
   sepax_release(s.open);
+  sepax_release(s.broken);
+  sepax_release(s.copy);
   sepax_release(s.begin);
   sepax_release(s.edge);
   sepax_release(s.odd);

@@ -106,11 +106,12 @@ static uint32_t children_met(const ray *r, const body_node *node) {
   return ~bits & ((1U << node->children) - 1);
 }
 
-/* True if the ray meets the part an odd number of times, or if the part winds round its origin. */
-static bool inside_part(ray *r, const solid_part *part) {
+/* The readings in which the ray meets the part an odd number of times, or the part winds round the
+ * ray's origin. */
+static unsigned inside_part(ray *r, const solid_part *part, const uint8_t *copy) {
   uint32_t stack[STACK] = {0};
   int depth = 1;
-  bool odd = false;
+  unsigned odd = 0; /* bits of the part's readings alone */
   int64_t turns = 0;
   while (depth > 0) {
     const body_node *node = &r->body->node[stack[--depth]];
@@ -128,11 +129,14 @@ static bool inside_part(ray *r, const solid_part *part) {
       bool certain;
       int met = meets(r, t, &certain);
       met = certain ? met : meets_exactly(r, t);
-      odd ^= met != 0;
-      turns += met;
+      if (met != 0) {
+        odd ^= part->readings & ~(copy != NULL ? copy[number] : 0U);
+        turns += met;
+      }
     }
   }
-  return odd || (part->consistent && turns != 0);
+  bool in = (odd & SOLID_ALL) != 0 || (part->consistent && turns != 0);
+  return in ? odd | SOLID_ALL | (SOLID_READINGS & ~part->readings) : odd;
 }
 
 /* Aim the ray at the nearest side of the body's AABB. False if the origin is outside the AABB.
@@ -181,21 +185,25 @@ static bool may_be_in(const ray *r, const double low[3], const double high[3]) {
   return true;
 }
 
+/* A surface of which each triangle is there twice, wound either way, may be that of a solid whose
+ * sides have a triangle each, or that of a cavity and of what fills it. So the parts are read in
+ * each way: inside in one reading is inside. */
 static bool inside(ray *r, const sepax_shell *shell) {
   const solid_part *part = shell->own->part;
-  bool odd = false;
+  unsigned odd = 0;
   r->part_of = shell->own->of;
   for (uint32_t k = 0; k < shell->parts;) {
-    bool in_piece = false;
+    unsigned in_piece = 0;
     uint32_t piece = part[k].piece;
     for (; k < shell->parts && part[k].piece == piece; k++) {
       r->part = k;
-      in_piece = in_piece || (!part[k].open && may_be_in(r, part[k].low, part[k].high) &&
-                              inside_part(r, &part[k]));
+      if (in_piece != SOLID_READINGS && !part[k].open && may_be_in(r, part[k].low, part[k].high)) {
+        in_piece |= inside_part(r, &part[k], shell->own->copy);
+      }
     }
     odd ^= in_piece;
   }
-  return odd;
+  return odd != 0;
 }
 
 /* True if the whole part may fit into a box that contains its vertex. The box is up to sqrt(3) of

@@ -2,6 +2,7 @@
 /* inside.c - finds the parts of surfaces, and tests by rays whether one is inside another. */
 #include "inside.h"
 
+#include "pieces.h"
 #include "report.h"
 
 #include <stdint.h>
@@ -22,6 +23,11 @@ typedef struct {
 static int compare_numbers(double a, double b) { return (a > b) - (a < b); }
 static int compare_sizes(size_t a, size_t b) { return (a > b) - (a < b); }
 
+typedef struct {
+  size_t vertex[3]; /* in rising order */
+  size_t triangle;
+} face;
+
 static int compare_corners(const void *x, const void *y) {
   const corner *a = x;
   const corner *b = y;
@@ -36,6 +42,16 @@ static int compare_edges(const void *x, const void *y) {
   const edge *b = y;
   const int order = compare_sizes(a->low, b->low);
   return order != 0 ? order : compare_sizes(a->high, b->high);
+}
+
+static int compare_faces(const void *x, const void *y) {
+  const face *a = x;
+  const face *b = y;
+  for (int k = 0; k < 3; k++) {
+    if (a->vertex[k] != b->vertex[k])
+      return compare_sizes(a->vertex[k], b->vertex[k]);
+  }
+  return compare_sizes(a->triangle, b->triangle);
 }
 
 static size_t root_of(size_t *parent, size_t n) {
@@ -59,6 +75,36 @@ static size_t *welded(const triangle *t, size_t count) {
   }
   free(all);
   return vertex;
+}
+
+static void swap_to_rise(size_t *a, size_t *b) {
+  const size_t low = *a < *b ? *a : *b;
+  *b = *a < *b ? *b : *a;
+  *a = low;
+}
+
+/* Which of equal triangles are left out in each reading. */
+static void leave_out(bool (*out)[READINGS], const size_t *vertex, size_t count) {
+  face *all = memory(NULL, count, sizeof *all);
+  for (size_t n = 0; n < count; n++) {
+    size_t *v = all[n].vertex;
+    memcpy(v, &vertex[3 * n], sizeof all[n].vertex);
+    swap_to_rise(&v[0], &v[1]);
+    swap_to_rise(&v[1], &v[2]);
+    swap_to_rise(&v[0], &v[1]);
+    all[n].triangle = n;
+  }
+  qsort(all, count, sizeof *all, compare_faces);
+  size_t before = 0;
+  for (size_t n = 0; n < count; n++) {
+    const bool equal = n > 0 && memcmp(all[n].vertex, all[n - 1].vertex, sizeof all[n].vertex) == 0;
+    before = equal ? before + 1 : 0;
+    bool *of = out[all[n].triangle];
+    of[0] = false;
+    of[1] = before > 0;
+    of[2] = before % 2 != 0;
+  }
+  free(all);
 }
 
 static double coordinate(vec p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -123,19 +169,27 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
       parent[root_of(parent, edges[n].triangle)] = root_of(parent, edges[n - 1].triangle);
     }
   }
-  bool *twisted = memory(NULL, count, sizeof *twisted);
+  leave_out(s->out + first, vertex, count);
+  bool *twisted = s->turned + first;
+  bool(*broken)[READINGS] = s->broken + first;
   memset(twisted, 0, count * sizeof *twisted);
+  memset(broken, 0, count * sizeof *broken);
   for (size_t n = 0; n < used;) {
     size_t end = n;
     long ways = 0;
+    bool left[READINGS] = {false}; /* an odd number of them */
     for (; end < used && compare_edges(&edges[n], &edges[end]) == 0; end++) {
       ways += edges[end].forward ? 1 : -1;
+      for (int k = 0; k < READINGS; k++)
+        left[k] ^= !s->out[first + edges[end].triangle][k];
     }
     const size_t of = root_of(parent, edges[n].triangle);
     if ((end - n) % 2 != 0)
       odd[of] = true;
     if (ways != 0)
       twisted[of] = true;
+    for (int k = 0; k < READINGS; k++)
+      broken[of][k] = broken[of][k] || left[k];
     n = end;
   }
   s->consistent[element] = true;
@@ -143,6 +197,8 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
   for (size_t n = 0; n < count; n++) {
     const size_t of = root_of(parent, n);
     s->closed[first + n] = !odd[of];
+    s->part_of[first + n] = first + of;
+    s->piece[first + n] = SIZE_MAX;
     if (odd[of])
       open_add(&s->open[element], &t[n]);
     else if (twisted[of])
@@ -150,7 +206,6 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
   }
   if (!s->body->element[element].hulls) /* their polygons are parts */
     add_parts(s, t, count, parent);
-  free(twisted);
   free(odd);
   free(parent);
   free(edges);
@@ -162,12 +217,15 @@ static size_t element_end(const surface *s, size_t element) {
 }
 
 shell shell_of(const surface *s) {
-  shell made = {s,
-                NULL,
-                0,
-                memory(NULL, s->count, sizeof *made.closed),
-                memory(NULL, s->elements, sizeof *made.consistent),
-                memory(NULL, s->elements, sizeof *made.open)};
+  shell made = {.body = s,
+                .closed = memory(NULL, s->count, sizeof *made.closed),
+                .part_of = memory(NULL, s->count, sizeof *made.part_of),
+                .out = memory(NULL, s->count, sizeof *made.out),
+                .broken = memory(NULL, s->count, sizeof *made.broken),
+                .turned = memory(NULL, s->count, sizeof *made.turned),
+                .piece = memory(NULL, s->count, sizeof *made.piece),
+                .consistent = memory(NULL, s->elements, sizeof *made.consistent),
+                .open = memory(NULL, s->elements, sizeof *made.open)};
   for (size_t n = 0; n < s->elements; n++) {
     element_parts(&made, n, s->element[n].first, element_end(s, n) - s->element[n].first);
   }
@@ -226,31 +284,94 @@ static ray_meets triangle_meet(const triangle *t, point p, point d, long double 
                   point_minus(point_of(t->at[2]), p), d, doubt);
 }
 
+/* A part that a ray meets. */
+typedef struct {
+  size_t part; /* what stands for it */
+  long crossings[READINGS];
+  long winding;
+} part_met;
+
+typedef struct {
+  part_met *part;
+  size_t parts;
+} ray_parts;
+
+static void part_cross(ray_parts *r, const shell *b, size_t place, int way) {
+  const size_t part = b->part_of[place];
+  size_t n = 0;
+  while (n < r->parts && r->part[n].part != part)
+    n++;
+  if (n == r->parts) {
+    GROW(r->part, r->parts);
+    r->part[r->parts++] = (part_met){.part = part};
+  }
+  r->part[n].winding += way;
+  for (int k = 0; k < READINGS; k++)
+    r->part[n].crossings[k] += !b->out[place][k];
+}
+
+/* Is the ray's origin inside the part? A reading in which it is open counts as the first one. */
+static bool part_holds(const shell *b, const part_met *m, int reading) {
+  if (m->crossings[0] % 2 != 0 || (!b->turned[m->part] && m->winding != 0))
+    return true;
+  return !b->broken[m->part][reading] && m->crossings[reading] % 2 != 0;
+}
+
+static size_t piece_of(const shell *b, size_t element, size_t part) {
+  const size_t first = b->body->element[element].first;
+  const size_t count = element_end(b->body, element) - first;
+  if (b->piece[part] == SIZE_MAX) {
+    size_t *own = memory(NULL, count, sizeof *own);
+    for (size_t n = 0; n < count; n++)
+      own[n] = b->part_of[first + n] - first;
+    pieces_find(b->piece + first, b->body->triangle + first, count, b->body->radius, own);
+    free(own);
+  }
+  return b->piece[part];
+}
+
+/* Not proved to be inside of no piece, or of an even number of them, in some reading? Two parts of
+ * one piece may be two pieces or one. */
+static bool pieces_hold(const shell *b, size_t element, const ray_parts *r) {
+  for (int reading = 0; reading < READINGS; reading++) {
+    bool odd = false;
+    for (size_t n = 0; n < r->parts; n++) {
+      if (!part_holds(b, &r->part[n], reading))
+        continue;
+      odd = !odd;
+      for (size_t k = 0; k < n; k++) {
+        if (part_holds(b, &r->part[k], reading) &&
+            piece_of(b, element, r->part[k].part) == piece_of(b, element, r->part[n].part))
+          return true;
+      }
+    }
+    if (odd)
+      return true;
+  }
+  return false;
+}
+
 /* Inside the element of b? -1: the ray goes too near to an edge. */
 static int element_holds(const shell *b, size_t element, point p, point d) {
   const surface *s = b->body;
   const long double doubt = doubt_at(s, p, EXACT);
   long crossings = 0;
   long winding = 0;
-  for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
-    if (!b->closed[n])
-      continue;
-    switch (triangle_meet(&s->triangle[n], p, d, doubt)) {
-    case RAY_UNSURE:
-      return -1;
-    case RAY_MISSES:
-      break;
-    case RAY_ENTERS:
+  ray_parts met = {NULL, 0};
+  ray_meets at = RAY_MISSES;
+  for (size_t n = s->element[element].first; n < element_end(s, element) && at != RAY_UNSURE; n++) {
+    at = b->closed[n] ? triangle_meet(&s->triangle[n], p, d, doubt) : RAY_MISSES;
+    if (at == RAY_ENTERS || at == RAY_LEAVES) {
+      const int way = at == RAY_LEAVES ? 1 : -1;
       crossings++;
-      winding--;
-      break;
-    case RAY_LEAVES:
-      crossings++;
-      winding++;
-      break;
+      winding += way;
+      part_cross(&met, b, n, way);
     }
   }
-  return b->consistent[element] ? winding != 0 : crossings % 2 != 0;
+  const bool holds = b->consistent[element] ? winding != 0 : crossings % 2 != 0;
+  const bool inside = at != RAY_UNSURE && (holds || pieces_hold(b, element, &met));
+  free(met.part);
+  return at == RAY_UNSURE ? -1 : inside;
 }
 
 static bool within_box(const surface *s, point p) {

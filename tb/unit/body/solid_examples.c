@@ -102,6 +102,75 @@ CASE(cavity) {
   sepax_soup_free(&m);
 }
 
+/* The triangles from `first` on once more, turned round or not. */
+static void add_again(sepax_soup *m, size_t first, bool turned) {
+  for (size_t end = m->count; first < end; first++) {
+    sepax_facet f = m->facet[first];
+    if (turned) {
+      turn_round(&f);
+    }
+    add_triangle(m, f.v[0], f.v[1], f.v[2]);
+  }
+}
+
+/* A block whose triangles are there several times, wound either way, as if both sides of each face
+ * were exported: material, even if equal triangles cancel each other. */
+CASE(equal_triangles) {
+  for (int times = 1; times <= 4; times++) {
+    for (int ways = 0; ways < 1 << times; ways++) {
+      sepax_soup m = {0};
+      add_block(&m, corner[0], corner[1], false);
+      for (int n = 1; n < times; n++) {
+        add_again(&m, m.count - 12, (ways >> n & 1) != 0);
+      }
+      assert_small(&m, 0.5, 1.5, 1, true, true, SEPAX_INSIDE);
+      assert_small(&m, 2.5, 1.5, 1, true, true, SEPAX_OUTSIDE);
+      sepax_soup_free(&m);
+    }
+  }
+}
+
+/* A cavity that another solid fills is material. A cavity with both sides of each face is none. */
+CASE(equal_triangles_inside) {
+  const double hole[2][3] = {{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}};
+  sepax_soup m = {0};
+  add_block(&m, corner[0], corner[1], false);
+  add_block(&m, hole[0], hole[1], true);
+  add_again(&m, 12, true);
+  assert_small(&m, 1, 1, 1, true, true, SEPAX_INSIDE);
+  assert_small(&m, 0.25, 0.25, 0.25, true, true, SEPAX_INSIDE);
+  m.count = 24;
+  add_again(&m, 0, true);
+  assert_small(&m, 1, 1, 1, true, true, SEPAX_OUTSIDE);
+  assert_small(&m, 0.25, 0.25, 0.25, true, true, SEPAX_INSIDE);
+  sepax_soup_free(&m);
+}
+
+/* Two blocks with a common side, as solids of their own: this side is there twice, and the outside
+ * is outside. With both sides of each face, too; but one face alone is no solid. */
+CASE(equal_triangles_between) {
+  const double half[2][3] = {{0, 0, 0}, {1, 2, 2}};
+  sepax_soup m = {0};
+  add_block(&m, half[0], half[1], false);
+  add_again(&m, 0, true);
+  for (size_t n = 12; n < 24; n++) { /* mirrored in x = 1 */
+    for (int k = 0; k < 3; k++) {
+      m.facet[n].v[k][0] = 2 - m.facet[n].v[k][0];
+    }
+  }
+  for (int sides = 1; sides <= 2; sides++) {
+    assert_small(&m, 0.5, 1.5, 1, true, true, SEPAX_INSIDE);
+    assert_small(&m, 1.5, 1.5, 1, true, true, SEPAX_INSIDE);
+    assert_small(&m, -0.25, 1.5, 1, true, true, SEPAX_OUTSIDE);
+    assert_small(&m, 2.25, 0.5, 1, true, true, SEPAX_OUTSIDE);
+    add_again(&m, 0, true);
+  }
+  m.count = 11;
+  add_again(&m, 0, true);
+  assert_small(&m, 0.5, 1.5, 1, true, true, SEPAX_OUTSIDE);
+  sepax_soup_free(&m);
+}
+
 /* Two blocks that overlap, a cavity in the first. */
 CASE(cavity_in_a_piece) {
   const double first[2][3] = {{0, 0, 0}, {4, 4, 4}};
