@@ -82,6 +82,20 @@ static bool take_number(ply_reader *r, ply_type type, double *number) {
   return true;
 }
 
+/* Another reader might cut off what does not fit. NaN is no whole number. */
+static bool fits_type(ply_reader *r, double number, ply_type type) {
+  static const double least[] = {
+      [PLY_INT8] = INT8_MIN, [PLY_INT16] = INT16_MIN, [PLY_INT32] = INT32_MIN, [PLY_UINT32] = 0};
+  static const double most[] = {
+      [PLY_INT8] = INT8_MAX,     [PLY_UINT8] = UINT8_MAX, [PLY_INT16] = INT16_MAX,
+      [PLY_UINT16] = UINT16_MAX, [PLY_INT32] = INT32_MAX, [PLY_UINT32] = UINT32_MAX};
+  if (type == PLY_FLOAT || type == PLY_DOUBLE) {
+    return true;
+  }
+  return (number >= least[type] && number <= most[type] && number == (double)(int64_t)number) ||
+         fail_row(r, "a number that its type does not have");
+}
+
 static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
   double number = 0;
   if (!take_number(r, p->count, &number)) {
@@ -95,7 +109,7 @@ static bool take_length(ply_reader *r, const ply_property *p, size_t *length) {
     return fail_row(r, "truncated: a list is longer than the numbers that follow");
   }
   *length = (size_t)number;
-  return true;
+  return fits_type(r, number, p->count);
 }
 
 static bool skip(ply_reader *r, ply_type type, size_t count) {
@@ -130,8 +144,9 @@ static bool read_vertex(ply_reader *r) {
     while (axis < 3 && e->use[axis] != n) {
       axis++;
     }
-    if (!(axis < 3 ? take_number(r, e->property[n].type, &v[axis])
-                   : skip_property(r, &e->property[n]))) {
+    const ply_property *p = &e->property[n];
+    if (!(axis < 3 ? take_number(r, p->type, &v[axis]) && fits_type(r, v[axis], p->type)
+                   : skip_property(r, p))) {
       return false;
     }
   }
@@ -147,7 +162,7 @@ static bool take_index(ply_reader *r, ply_type type, bool separates, double *ind
   }
   if ((*index >= 0 && *index < (double)r->vertices && *index == (double)(size_t)*index) ||
       (separates && *index == -1)) {
-    return true;
+    return fits_type(r, *index, type);
   }
   snprintf(text, sizeof text, "there is no vertex %.17g, of %zu", *index, r->vertices);
   return fail_row(r, text);

@@ -30,6 +30,18 @@ bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *err
                     detail);
 }
 
+bool sepax__xml_no_memory(const xml_file *file, const xmlNode *node, sepax_error *error) {
+  return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.240s:%ld: no memory to read it", file->path,
+                    xmlGetLineNo(node));
+}
+
+bool sepax__xml_fail_as(const xml_file *file, const xmlNode *node, sepax_error *error,
+                        const sepax_error *inner) {
+  return inner->code == SEPAX_ERROR_MEMORY
+             ? sepax__xml_no_memory(file, node, error)
+             : sepax__xml_fail(file, node, error, "%.230s", inner->text);
+}
+
 /* ------------------------------------------------------------------------ parsing */
 
 /* A tree takes a hundred times the bytes of the shortest element, so their number has a limit. */
@@ -218,7 +230,7 @@ bool sepax__xml_name(const xml_file *file, const xmlNode *node, const char *attr
   }
   xmlFree(value);
   if (copy == NULL) {
-    return sepax__xml_fail(file, node, error, "no memory for a name");
+    return sepax__xml_no_memory(file, node, error);
   }
   if (!is_printable(copy)) {
     sepax_release(copy);
@@ -247,8 +259,7 @@ bool sepax__xml_numbers(const xml_file *file, const xmlNode *node, const char *a
                         double *number, int count, sepax_error *error) {
   xmlChar *value = xmlGetNoNsProp(node, (const xmlChar *)attribute);
   if (value == NULL) {
-    return !sepax__xml_has(node, attribute) ||
-           sepax__xml_fail(file, node, error, "no memory for %s=\"...\"", attribute);
+    return !sepax__xml_has(node, attribute) || sepax__xml_no_memory(file, node, error);
   }
   int found = scan_numbers((const char *)value, number, count);
   bool ok = found == count ||

@@ -27,6 +27,12 @@ void sepax__xml_close(xml_file *file);
 bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
                      const char *format, ...) __attribute__((format(printf, 4, 5)));
 
+/* The same, of a lack of memory. */
+bool sepax__xml_no_memory(const xml_file *file, const xmlNode *node, sepax_error *error);
+/* The same, of what another function says. */
+bool sepax__xml_fail_as(const xml_file *file, const xmlNode *node, sepax_error *error,
+                        const sepax_error *inner);
+
 /* The first element of this name below the node, and the next one of this name after a node. NULL
  * means any name. */
 xmlNode *sepax__xml_child(const xmlNode *node, const char *name);

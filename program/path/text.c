@@ -253,9 +253,9 @@ static void print_verdict(const path_scene *scene, const path_question *q) {
                    : " (checked in the lines of the path, not between them",
         stdout);
   if (path_certified(scene) && q->bands.clearance.length > 0) {
-    printf("; between the lines all pairs%s are farther apart than %s",
+    printf("; between the lines all pairs%s are farther apart than %.9g mm",
            scene->tool_link != SIZE_MAX ? ", but for flutes and shanks with stock and part," : "",
-           q->bands.clearance.text);
+           path_mm(q->bands.clearance.length));
   }
   printf("), %.3f s\n", scene->seconds + scene->between_seconds + scene->stock.seconds);
 }

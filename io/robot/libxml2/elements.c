@@ -96,6 +96,7 @@ static const char *meant(const checker *c, const char *name) {
 
 /* ------------------------------------------------------------------------ others */
 
+/* False without memory, or if there are more than OTHERS_MOST. */
 static bool count_other(sepax_robot_others *others, const char *what) {
   size_t n = 0;
   while (n < others->count && strcmp(others->entry[n].what, what) != 0) {
@@ -137,10 +138,14 @@ static bool add(const checker *c, const xmlNode *at, const char *prefix, const c
   char what[200];
   snprintf(what, sizeof what, "%.60s%s%.100s%s", prefix != NULL ? prefix : "",
            prefix != NULL ? ":" : "", name, end);
-  return count_other(c->others, what) ||
-         sepax__xml_fail(c->file, at, error,
-                         "<%.40s>: more than %d kinds of unknown elements, or no memory",
-                         name_of(at), OTHERS_MOST);
+  if (count_other(c->others, what)) {
+    return true;
+  }
+  return c->others->count < OTHERS_MOST
+             ? sepax__xml_no_memory(c->file, at, error)
+             : sepax__xml_fail(c->file, at, error,
+                               "<%.40s>: more than %d kinds of unknown elements; leave some out",
+                               name_of(at), OTHERS_MOST);
 }
 
 static bool pass_over(const checker *c, xmlNode *node, sepax_error *error) {

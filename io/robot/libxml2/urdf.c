@@ -72,15 +72,15 @@ size_t sepax__urdf_find_link(const sepax_mechanism *m, const char *name) {
 
 bool sepax__urdf_add_link(urdf_reader *r, const xmlNode *node, char *name, sepax_error *error) {
   sepax_mechanism *m = &r->robot->mechanism;
-  sepax_link *grown = m->links < SEPAX_ROBOT_LINKS_MOST
-                          ? list_grow(m->link, &r->link_capacity, m->links, sizeof *grown)
-                          : NULL;
+  bool fits = m->links < SEPAX_ROBOT_LINKS_MOST;
+  sepax_link *grown = fits ? list_grow(m->link, &r->link_capacity, m->links, sizeof *grown) : NULL;
   m->link = grown != NULL ? grown : m->link;
   if (grown == NULL || sepax__urdf_find_link(m, name) < m->links) {
     sepax_release(name);
-    return sepax__xml_fail(&r->file, node, error, "%s",
-                           grown == NULL ? "more than 4096 links, or no memory"
-                                         : "two links of one name; rename one");
+    return fits && grown == NULL ? sepax__xml_no_memory(&r->file, node, error)
+                                 : sepax__xml_fail(&r->file, node, error, "%s",
+                                                   fits ? "two links of one name; rename one"
+                                                        : "more than 4096 links; leave some out");
   }
   m->link[m->links++] = (sepax_link){.name = name};
   return true;
@@ -139,8 +139,8 @@ static bool read_robot(urdf_reader *r, sepax_error *error) {
   sepax_error inner = {0};
   size_t wrong = SEPAX_NO_JOINT;
   return sepax__mechanism_join(&r->robot->mechanism, &wrong, &inner) ||
-         sepax__xml_fail(&r->file, wrong != SEPAX_NO_JOINT ? r->node[wrong] : root, error, "%.230s",
-                         inner.text);
+         sepax__xml_fail_as(&r->file, wrong != SEPAX_NO_JOINT ? r->node[wrong] : root, error,
+                            &inner);
 }
 
 bool sepax_robot_read(sepax_robot *robot, const char *path, const sepax_robot_reading *how,

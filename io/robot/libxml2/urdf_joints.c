@@ -111,16 +111,20 @@ static sepax_joint *add_joint(urdf_reader *r, const xmlNode *node, char *name, s
                              .upper = INFINITY,
                              .mimic = SEPAX_NO_JOINT,
                              .factor = 1};
-  sepax_joint *grown = m->joints < SEPAX_ROBOT_LINKS_MOST
-                           ? list_grow(m->joint, &r->joint_capacity, m->joints, sizeof *grown)
-                           : NULL;
+  bool fits = m->joints < SEPAX_ROBOT_LINKS_MOST;
+  sepax_joint *grown =
+      fits ? list_grow(m->joint, &r->joint_capacity, m->joints, sizeof *grown) : NULL;
   m->joint = grown != NULL ? grown : m->joint;
   const xmlNode **nodes =
       grown != NULL ? list_grow(r->node, &r->node_capacity, m->joints, sizeof *nodes) : NULL;
   if (nodes == NULL) {
     sepax_release(name);
-    sepax__xml_fail(&r->file, node, error, "more than %d joints, or no memory",
-                    SEPAX_ROBOT_LINKS_MOST);
+    if (fits) {
+      sepax__xml_no_memory(&r->file, node, error);
+    } else {
+      sepax__xml_fail(&r->file, node, error, "more than %d joints; leave some out",
+                      SEPAX_ROBOT_LINKS_MOST);
+    }
     return NULL;
   }
   r->node = nodes;
@@ -176,7 +180,7 @@ static bool divide_joint(urdf_reader *r, const xmlNode *node, size_t whole, cons
     bool taken = own != NULL && n == 0 && find_joint(m, own) < m->joints;
     if (own == NULL || taken || (n + 1 < parts && link == NULL)) {
       ok = taken ? sepax__xml_fail(&r->file, node, error, "two joints '%.60s'; rename one", own)
-                 : sepax__xml_fail(&r->file, node, error, "no memory for a joint");
+                 : sepax__xml_no_memory(&r->file, node, error);
       sepax_release(own);
       sepax_release(link);
     } else if (n > 0 && add_joint(r, node, own, error) == NULL) {

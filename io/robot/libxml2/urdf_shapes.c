@@ -147,7 +147,7 @@ static bool read_mesh(const urdf_reader *r, const xmlNode *node, sepax_shape *sh
   bool ok = shape->size[0] * shape->size[1] * shape->size[2] != 0 ||
             sepax__xml_fail(&r->file, node, error, "a scale of 0 leaves no body; give another one");
   ok = ok && (sepax__find_mesh(r->places, shape->name, &shape->path, &inner) ||
-              sepax__xml_fail(&r->file, node, error, "%.230s", inner.text));
+              sepax__xml_fail_as(&r->file, node, error, &inner));
   return ok;
 }
 
@@ -180,7 +180,7 @@ static bool add_nothing(urdf_reader *r, const sepax_shape *shape, const xmlNode 
   sepax_bare_shape *grown =
       list_grow(robot->nothing, &r->nothing_capacity, robot->nothings, sizeof *grown);
   if (grown == NULL) {
-    return sepax__xml_fail(&r->file, node, error, "no memory for it");
+    return sepax__xml_no_memory(&r->file, node, error);
   }
   robot->nothing = grown;
   robot->nothing[robot->nothings++] = (sepax_bare_shape){shape->link, shape->kind, shape->line};
@@ -191,13 +191,13 @@ bool sepax__urdf_read_collision(urdf_reader *r, const xmlNode *node, size_t link
                                 sepax_error *error) {
   sepax_robot *robot = r->robot;
   sepax_shape shape = {.link = link, .line = xmlGetLineNo(node)};
-  sepax_shape *grown =
-      robot->shapes < SEPAX_ROBOT_SHAPES_MOST
-          ? list_grow(robot->shape, &r->shape_capacity, robot->shapes, sizeof *grown)
-          : NULL;
-  if (grown == NULL) {
-    return sepax__xml_fail(&r->file, node, error, "more than %d collision elements, or no memory",
+  if (robot->shapes == SEPAX_ROBOT_SHAPES_MOST) {
+    return sepax__xml_fail(&r->file, node, error, "more than %d collision elements; join some",
                            SEPAX_ROBOT_SHAPES_MOST);
+  }
+  sepax_shape *grown = list_grow(robot->shape, &r->shape_capacity, robot->shapes, sizeof *grown);
+  if (grown == NULL) {
+    return sepax__xml_no_memory(&r->file, node, error);
   }
   robot->shape = grown;
   bool nothing = false;

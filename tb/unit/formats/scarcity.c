@@ -53,6 +53,40 @@ static bool work_machine(void *context) {
   return true;
 }
 
+/* ------------------------------------------------------- the library's own allocations */
+
+static long own_left;
+static void *own_allocate(void *context, size_t size) {
+  (void)context;
+  return own_left-- == 0 ? NULL : malloc(size);
+}
+static void *own_resize(void *context, void *old, size_t size) {
+  (void)context;
+  return own_left-- == 0 ? NULL : realloc(old, size);
+}
+static void own_release(void *context, void *old) {
+  (void)context;
+  free(old);
+}
+
+/* Without memory the code is MEMORY, not that of a file which breaks the rules of its format. */
+static void assert_codes(char *name) {
+  const sepax_allocator own = {own_allocate, own_resize, own_release, NULL};
+  long refused = 0;
+  sepax_set_allocator(&own);
+  for (own_left = -1; own_left < 0; refused++) {
+    own_left = refused;
+    fault.code = SEPAX_OK;
+    bool works = work_machine(name);
+    if (!works && fault.code != SEPAX_ERROR_MEMORY) {
+      sepax_set_allocator(NULL);
+      fail_msg("allocation %ld: code %d: %s", refused, (int)fault.code, fault.text);
+    }
+  }
+  sepax_set_allocator(NULL);
+  assert_true(refused > 50);
+}
+
 CASE(test_robots) {
   put_file("r.srdf", "<robot name='r'><group/><disable_collisions link1='a' "
                      "link2='b'/></robot>\n");
@@ -72,6 +106,7 @@ CASE(test_robots) {
   assert_true(assert_scarce(work_robot, name) > 50);
   assert_true(SANITIZED || assert_scarce(work_machine, name) > 50);
   memory.keeps = false;
+  assert_codes(name);
   free(name);
 }
 

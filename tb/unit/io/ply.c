@@ -233,6 +233,12 @@ CASE(rows) {
       {HEAD("1") ROWS "2.5 0 1 2\n", "a list whose length is no whole number"},
       {HEAD("1") "0 0 nan\n1 0 0\n0 2 0\n0 0 3\n3 0 1 2\n", "triangle 0: a coordinate is NaN"},
       {HEAD("1") "0 0 0,5\n1 0 0\n0 2 0\n0 0 3\n3 0 1 2\n", "a.ply:10: '0,5' is no number"},
+      {FORMAT "element vertex 3\nproperty uchar x\nproperty uchar y\nproperty int z\n" FACES(
+           "1") "end_header\n0 0 0\n0 300 0\n0 0 3\n3 0 1 2\n",
+       "element vertex, row 1: a number that its type does not have"},
+      {FORMAT "element vertex 3\nproperty uchar x\nproperty uchar y\nproperty int z\n" FACES(
+           "1") "end_header\n0 0 0\n0 30 0\n0 0 0.5\n3 0 1 2\n",
+       "element vertex, row 2: a number that its type does not have"},
       {HEAD("1") "0 0\n1 0 0\n0 2 0\n0 0 3\n3 0 1 2\n", "element vertex, row 0: truncated: fewer"},
   };
   for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
