@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Makefile - the verbs of sepax; `make help` lists them. scripts/make/ has the rules behind them.
 
-# What goes through a design: two meshes, or PAIRS=file, or COUNT seeded hard pairs.
+# The input of a simulation: two meshes, PAIRS=file, or COUNT seeded hard pairs.
 MESH_A     ?= $(BUILD)/mesh/cutter.stl
 MESH_B     ?= $(BUILD)/mesh/workpiece.stl
 # The sample objects need 16 bits at a resolution of 0.002.
@@ -31,7 +31,7 @@ export CC CXX YOSYS VERILATOR IVERILOG VVP CPPCHECK CLANG_TIDY STA KLAYOUT GNUPL
 BUILD  ?= build
 PREFIX ?= /usr/local
 
-# In front of the C++ compiler of verilated designs.
+# Verilator compiles C++ through this script, which keeps what all designs share in a folder.
 export OBJCACHE ?= $(abspath scripts/make/compile) $(abspath $(BUILD))/compiled
 SEPAX   = $(BUILD)/sepax
 LIB     = $(addprefix $(BUILD)/obj/,models.a lib.a)
@@ -39,7 +39,7 @@ IO      = $(BUILD)/obj/io.a
 PUBLIC  = $(addprefix $(BUILD)/,libsepax-model.a libsepax-io.a libsepax.a)
 GEN     = $(SEPAX) gen
 
-# The clock that an FPGA's design is made for where none is given; only exact has a choice.
+# The default clock of a design for an FPGA. Only exact has this option.
 ifneq ($(and $(filter-out asic,$(TARGET)),$(filter exact,$(or $(ARCH),exact))),)
 export CLOCK_NS ?= 10
 endif
@@ -53,7 +53,7 @@ endif
 ifneq ($(words $(BUILD) $(abspath .)),2)
 $(error BUILD and the project's own path must be without blanks)
 endif
-# A folder that cannot be written is said in one line, before anything is made.
+# If a folder of BUILD cannot be written, say so in one line before anything is made.
 ifeq ($(findstring n,$(firstword -$(MAKEFLAGS))),)
 ifneq ($(filter-out help help-all clean setup uninstall mutations,$(or $(MAKECMDGOALS),all)),)
 unwritable := $(shell mkdir -p "$(BUILD)" 2> /dev/null; for folder in "$(BUILD)" "$(BUILD)"/*/; do \
@@ -65,16 +65,17 @@ endif
 endif
 endif
 
-# Rules of make's own are none of ours: to try them for each header took most of its time.
+# -r: make's built-in rules are not used, and trying them for each header took most of its time.
 MAKEFLAGS += --no-print-directory -r
 .DELETE_ON_ERROR:
 .DEFAULT_GOAL = all
 .PHONY: FORCE
 
-# Each engine's verbs and rules.
+# The rules of each engine.
 ENGINES = $(wildcard scripts/make/engines/*.mk)
 
-# One design: scripts/make/design.mk calls make with what `sepax name` prints of it.
+# Rules of one design: scripts/make/design.mk calls make again with the variables that `sepax name`
+# prints, among them DESIGN_NAME.
 ifneq ($(DESIGN_NAME),)
 include $(addprefix scripts/make/,flags.mk mesh.mk cosim.mk) $(ENGINES)
 include scripts/make/$(if $(filter-out asic,$(TARGET)),fpga,synth).mk
@@ -98,7 +99,7 @@ all:
 	@scripts/setup job
 	@$(MAKE) job
 
-# Ended by SIGPIPE: who reads has read enough, as head.
+# Not a failure: SIGPIPE ended the command, because a reader such as head had read enough.
 READER_LEFT = [ $$? -eq 141 ]
 
 help:
@@ -131,7 +132,7 @@ experiment-cocotb: $(SEPAX)
 clean:
 	rm -rf $(BUILD)
 
-# Both architectures, or the one that is given or has an option that is given.
+# Both architectures; only one if ARCH is given, or an option that only exact has.
 ONLY_EXACT = $(strip $(foreach name,II VIEW $(shell $(SEPAX) name --only),$(call given,$(name))))
 ARCHS      = $(if $(call given,ARCH),$(ARCH),exact $(if $(ONLY_EXACT),,paper))
 
@@ -157,7 +158,7 @@ reference: $(SEPAX)
 
 # ------------------------------------------------------------------ gates, clock, power
 
-# What a verb needs is looked for before anything is compiled: tools, and parts of build/venv.
+# Before anything is compiled, look for the tools that a verb needs, also in build/venv.
 TOOLS_paper  = yosys verilator c++
 TOOLS_area   = yosys python3
 TOOLS_timing = yosys jq sta
@@ -172,12 +173,12 @@ $(NEEDING): need-%:
 CHECK_layout = synth/layout/run -c && { [ -n "$(or $(LEF),$(wildcard $(LIBERTY:.lib=.lef)))" ] || \
                { echo 'layout: give LEF="FILE ..." of $(notdir $(LIBERTY))' >&2; exit 2; }; }
 ROUTED_HERE  = $(filter ecp5 ice40 gowin,$(if $(call given,TARGET),$(TARGET),ecp5 ice40 gowin))
-# If the program is there, then it says first whether there is such a design.
+# If the program is built, it refuses a design that does not exist before the tools are asked.
 CHECK_fpga   = { [ ! -x $(SEPAX) ] || $(SEPAX) name --environment > /dev/null; } && \
                $(foreach target,$(ROUTED_HERE),synth/fpga/route -c $(target) &&) true
 
-# The designs of `make area`: the one that is given; the paper's in both precisions, as its word
-# length leaves both readings open, unless one is given; conference beside paper.
+# The designs of `make area`: the design that is given. Without one: exact, and paper in two
+# precisions, because the paper's word length can be read both ways; with conference also paper.
 PAPERS     = "ARCH=paper PRECISION=full" "ARCH=paper PRECISION=word" \
              "ARCH=paper PRECISION=full MULTIPLIERS=generated"
 BESIDE     = $(foreach bits,full word, \
@@ -193,7 +194,7 @@ POWERS     = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
              "ARCH=exact II=3 EARLY_OUT=boxes")
 AREA_JSON ?= $(BUILD)/area.json
 
-# The paper's tables 3 and 4 beside ours.
+# Tables 3 and 4 of the paper, with our figures in each row.
 paper: need-paper $(SEPAX) $(BUILD)/liberty
 	@scripts/paper
 
@@ -205,7 +206,7 @@ timing: need-timing $(SEPAX) $(BUILD)/liberty
 	@scripts/designs timed $(TIMINGS)
 	@synth/report/tables timing -o $(BUILD)/timing.json $$(scripts/designs timing-file $(TIMINGS))
 
-# Placed and routed: of the design, or without one of the smallest; BLOCKS are modules of it.
+# Place and route the design that is given, or else the smallest. BLOCKS names modules of it.
 LAYOUTS = $(if $(call given,ARCH)$(ONLY_EXACT),"","WORD=4 II=18")
 layout: need-layout $(SEPAX) $(BUILD)/liberty $(BUILD)/layout
 	@scripts/designs laid $(LAYOUTS)
@@ -219,7 +220,7 @@ power: need-power $(SEPAX) $(BUILD)/liberty $(BUILD)/power
 	@scripts/designs powered $(POWERS)
 	@synth/report/tables power -o $(BUILD)/power.json $$(scripts/designs power-file $(POWERS))
 
-# Cells and clocks on FPGAs: of the design where one is given, or else of these.
+# Cells and clocks on FPGAs, of the design that is given, or else of these.
 FPGAS = $(if $(call given,TARGET)$(ONLY_EXACT),"", \
         "TARGET=ecp5 II=3" "TARGET=ice40 WORD=8 II=9" "TARGET=xc7 II=3" "TARGET=xc7 II=1" \
         "TARGET=xcup II=3" "TARGET=gowin II=3")
@@ -227,20 +228,20 @@ fpga: need-fpga $(SEPAX)
 	@scripts/designs -j 2 routed $(FPGAS)
 	@synth/report/tables fpga -o $(BUILD)/fpga.json $$(scripts/designs fpga-file $(FPGAS))
 
-# Mapped cells beside the golden model: three W, three II, every family; hours in full.
+# Mapped cells against the golden model: three W, three II, every family. A full run takes hours.
 experiment-netlist-sweep: $(SEPAX)
 	@synth/fpga/sweep $(if $(call given,COUNT),-c $(COUNT)) $(if $(call given,WORD),-w "$(WORD)") \
 	  $(if $(call given,II),-i "$(II)") $(if $(call given,TARGET),-t "$(TARGET)") \
 	  $(BUILD)/netlist-sweep
 
-# Single faults in the netlist: of the design where one is given, or else of these.
+# Single faults in the netlist of the design that is given, or else of these.
 MUTATIONS = $(if $(call given,ARCH)$(ONLY_EXACT),"", \
             "WORD=8 II=1" "WORD=6 II=3" "WORD=6 II=1 EARLY_OUT=boxes" \
             "WORD=4 II=3 CLEARANCE=1 WARNING=3" "ARCH=paper WORD=4" \
             "WORD=4 II=3 LANES=4 MEMORY_A=128 MEMORY_B=128" "WORD=6 II=6 TREE=1")
 experiment-mutation: $(SEPAX)
 	@scripts/designs mutated $(MUTATIONS)
-# 48 faults in control, buses and memories, or those of NAMES, a pattern.
+# Faults planted by hand in control, buses and memories; NAMES is a pattern that chooses some.
 experiment-by-hand: $(SEPAX) $(LIB) $(IO)
 	@tb/mutation/hardware/by_hand $(if $(NAMES),-n '$(NAMES)')
 mutations:
@@ -287,7 +288,7 @@ experiment-posed-pairs: $(BUILD)/posed-pairs
 experiment-distances: $(BUILD)/distances
 	@$(EXPERIMENT)/distances $< $(if $(call given,COUNT),$(COUNT),1000000) $(SEED)
 
-# Real meshes where they are at hand.
+# A folder of real meshes, if there is one.
 MESH_DIR ?= $(wildcard ../shared/meshes)
 experiment-bench-bodies: $(BUILD)/bench_bodies
 	@$(MAKE) -C examples/five-axis BUILD=$(abspath $(BUILD)) scene
@@ -299,7 +300,7 @@ experiment-machine: $(BUILD)/bench_machine
 	@$(MAKE) -s -C examples/five-axis scene BUILD=$(abspath $(BUILD)) > /dev/null
 	@$(BUILD)/bench_machine $(BUILD)/five-axis $(if $(call given,COUNT),$(COUNT),100000)
 
-# The readers of meshes beside those of others: a Python with trimesh, where there is one.
+# Our readers of meshes beside other readers. PYTHON should have trimesh.
 PYTHON      ?= $(firstword $(wildcard $(BUILD)/venv/bin/python) python3)
 MESH_READER  = $(addprefix $(BUILD)/,mesh_files mesh_writer)
 experiment-bench-meshes: $(MESH_READER)
@@ -318,7 +319,7 @@ experiment-packages: $(SEPAX)
 experiment-engine-sweep: $(SEPAX) $(BUILD)/liberty
 	@LIBERTY="$(if $(call given,LIBERTY),$(LIBERTY))" $(EXPERIMENT)/engine-sweep $(BUILD)/engine-sweep
 
-# Seven runs of eight without the host.
+# COUNT runs without the host, and an eighth as many with it.
 experiment-tree-fuzz: COUNT_OF = $(if $(call given,COUNT),$(COUNT),1000000)
 experiment-tree-fuzz: $(SEPAX) $(LIB)
 	@DESIGN="--word=8 --ii=6" RUNS=10 FUZZ=$(COUNT_OF) tb/tree_engine/modules/walks

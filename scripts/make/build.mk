@@ -4,7 +4,7 @@
 XML_OF      = $(if $(with_xml),$(wildcard io/xml/*.c io/robot/libxml2/*.c),io/missing/libxml2.c)
 ZIP_OF      = $(if $(with_zip),$(wildcard io/archive/*.c),io/missing/libzip.c)
 FORMAT_OBJ  = $(call object,$(wildcard program/formats/*.c))
-# What these need of the commands: options of meshes, and what is said of them.
+# Parts of the commands that program/formats calls: options of meshes, and messages about them.
 FORMAT_USES = $(call object,program/cli/meshes.c program/cli/question.c \
               $(wildcard program/report/*.c))
 
@@ -18,7 +18,7 @@ CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(MD_O
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
-# What a first build lacks is said in one line, not by the compiler.
+# If the first build lacks a package, say so in one line before the compiler fails.
 ifeq ($(wildcard $(BUILD)/obj),)
 LACKING := $(shell CC="$(CC)" CFLAGS="$(CFLAGS)" scripts/setup -n build)
 endif
@@ -29,7 +29,8 @@ $(BUILD)/obj/%.o: %.c
 	@$(aside) $(CC) $(SEPAX_CFLAGS) -MMD -MP -MT $@ -MF $$new.dep -c $< -o $$new && \
 	  mv -f $$new.dep $(@:.o=.d) && $(in_place)
 
-# The objects serve the shared libraries, too. What no public header declares is hidden.
+# The same objects go into the shared libraries. Functions that no public header declares are
+# hidden.
 LIB_OBJ   = $(call object,$(LIB_SRC))
 MODEL_OBJ = $(call object,$(MODEL_SRC))
 IO_OBJ    = $(call object,$(IO_SRC))
@@ -37,16 +38,16 @@ VISIBILITY ?= hidden
 $(LIB_OBJ) $(MODEL_OBJ) $(IO_OBJ): SEPAX_CFLAGS += -fPIC -fno-semantic-interposition \
                                         -fvisibility=$(VISIBILITY)
 
-# What this project's own programs and tests link: all objects, with what is internal.
+# This project's own programs and tests link these archives, which have internal functions, too.
 $(BUILD)/obj/lib.a: $(LIB_OBJ)
 $(BUILD)/obj/models.a: $(MODEL_OBJ)
 $(BUILD)/obj/io.a: $(IO_OBJ) $(BUILD)/obj/libraries
 $(BUILD)/obj/lib.a $(BUILD)/obj/models.a $(BUILD)/obj/io.a:
 	@$(aside) rm -f $$new && $(AR) rcs $$new $(filter %.o,$^) && $(in_place)
 
-# What others link: libsepax, and on top of it libsepax-io and libsepax-model, which have copies of
-# what they need of its inside. In an archive there is one object, whose internal names are local to
-# it, so that none can clash with a name of the program that links it.
+# Users link these: libsepax, and on top of it libsepax-io and libsepax-model, which have copies of
+# the internal functions of libsepax that they call. An archive is one object in which internal
+# names are local, so that they cannot clash with names of a user's program.
 $(BUILD)/libsepax.a $(BUILD)/libsepax.so.0: $(LIB_OBJ)
 $(BUILD)/libsepax-model.a $(BUILD)/libsepax-model.so.0: $(MODEL_OBJ) \
   $(call object,lib/util/write_file.c lib/util/temporary.c)
@@ -65,7 +66,7 @@ $(BUILD)/libsepax.so.0 $(BUILD)/libsepax-model.so.0 $(BUILD)/libsepax-io.so.0:
 	@$(aside) $(CC) $(CFLAGS) -shared -Wl,-soname,$(@F) -Wl,-Bsymbolic-functions \
 	  $(filter %.o %.so.0,$^) $(LIBS) -lm -pthread -o $$new && $(in_place)
 
-# Emulated vectors are optimised in twenty seconds and run in two without.
+# Not optimised: the emulated vectors take 20 s to optimise, and the test then runs in 2 s anyway.
 $(BUILD)/obj/tb/unit/avx512.o: SEPAX_CFLAGS += -O0
 .SECONDARY: $(BUILD)/obj/tb/harness.o
 
@@ -108,7 +109,7 @@ $(LINUXCNC_OBJ): $(BUILD)/obj/linuxcnc.c
 # Code that calls libxml2.
 $(BUILD)/obj/io/xml/%.o $(BUILD)/obj/io/archive/%.o $(BUILD)/obj/io/robot/libxml2/%.o: \
   SEPAX_CFLAGS += $(XML_CFLAGS)
-# Written where it changes, so that the program is linked again.
+# Written only if it changes: the program is then linked again.
 $(BUILD)/obj/libraries: FORCE
 	@mkdir -p $(@D)
 	@echo 'libxml2 $(LIBXML2), libzip $(LIBZIP), libmd $(LIBMD)' | cmp -s - $@ || { \
@@ -199,8 +200,8 @@ $(BUILD)/unit/synth/%: $(BUILD)/obj/tb/unit/synth/%.o $(BUILD)/obj/tb/harness.o 
                          synth/liberty/text.c) $(LIB)
 	$(link)
 
-# Fuzz targets: by themselves on given inputs; with libFuzzer, which has a main of its own, where
-# FUZZER is -fsanitize=fuzzer.
+# Fuzz targets. Without FUZZER they run on given inputs. With FUZZER=-fsanitize=fuzzer they are
+# linked with libFuzzer, which has a main of its own.
 FUZZ     = $(patsubst tb/fuzz/target/%.c,$(BUILD)/fuzz/%,$(wildcard tb/fuzz/target/*.c))
 FUZZ_OBJ = $(call object,$(if $(FUZZER),,tb/fuzz/replay.c) $(addprefix tb/fuzz/,fuzz.c mesh.c))
 $(FUZZ): LIBS = -ljansson $(IO_LIBS) $(FUZZER)
@@ -208,7 +209,7 @@ $(BUILD)/fuzz/%: $(BUILD)/obj/tb/fuzz/target/%.o $(FUZZ_OBJ) $(FORMAT_OBJ) $(FOR
                  $(NC_OBJ) $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
 
-# Bodies that move beside the libraries that are here.
+# Benchmark of moving bodies, beside those of FCL, Coal, CGAL and Embree that are installed.
 header   = $(shell echo '$(hash)include <$(1)>' | $(CXX) $(PEERS_I) -x c++ -E - > /dev/null 2>&1 \
              && echo $(2))
 PEERS_I  = $(patsubst -I%,-isystem %,$(shell pkg-config --cflags-only-I fcl eigen3 2> /dev/null || \
@@ -223,7 +224,7 @@ $(BUILD)/obj/tb/%.o: tb/%.cpp
 	@$(aside) $(CXX) -std=c++17 -O3 -DNDEBUG -Wall -Wextra -Werror -Ilib -Ic_model -Itb \
 	  $(PEER_FLAGS) $(PEERS_I) -MMD -MP -MT $@ -MF $$new.dep -c $< -o $$new && \
 	  mv -f $$new.dep $(@:.o=.d) && $(in_place)
-# Coal is of PyPI (scripts/setup venv), its Eigen of Debian.
+# Coal comes from PyPI (scripts/setup venv), and Eigen from Debian.
 CMEEL      = $(wildcard $(BUILD)/venv/lib/python3*/site-packages/cmeel.prefix)
 COAL       = $(wildcard $(addsuffix /include/coal/distance.h,$(CMEEL)))
 COAL_OF    = $(abspath $(COAL:%/include/coal/distance.h=%))
@@ -237,13 +238,13 @@ $(BUILD)/bench_bodies: $(BODIES_O) $(LIB)
 	  $(addsuffix /libcoal.so,$(COAL_LIB)) \
 	  $(addprefix -Wl$(comma)-rpath$(comma),$(COAL_LIB)) \
 	  -lgmp -lm -pthread -o $$new && $(in_place)
-# Queries of a whole machine.
+# Benchmark of queries of a whole machine.
 $(BUILD)/bench_machine: LIBS = -ljansson $(IO_LIBS)
 $(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c tb/benchmark/mill.c \
                           tb/benchmark/mill_pairs.c) $(FORMAT_OBJ) $(FORMAT_USES) \
                         $(OPTIONS_OBJ) $(IO) $(LIB)
 	$(link)
-# Meshes from files, by assimp, too, where its header is.
+# Benchmark of mesh files; with assimp beside our readers if its header is installed.
 $(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,-lassimp)
 $(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)
 $(BUILD)/mesh_writer: LIBS = $(call header,zip.h,-lzip)

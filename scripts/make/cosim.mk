@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# cosim.mk - the Verilog of the design DESIGN_NAME, and what simulates it. `sepax name` gave its
-# options: OPTIONS for the program, and each as a variable; and its engine, DESIGN_ENGINE.
+# cosim.mk - the Verilog of the design DESIGN_NAME, and its simulations. `sepax name` gave the
+# design's options, as OPTIONS for the program and each as a variable, and its DESIGN_ENGINE.
 
 CORE = $(BUILD)/core/$(DESIGN_NAME)
 RTL  = $(CORE)/rtl/sepax.f
-# Makes that are started from here are of other designs.
+# A make that a rule starts is for another design.
 MAKEOVERRIDES =
 unexport DESIGN_NAME DESIGN_ENGINE OPTIONS VERDICT_OPTIONS
 
@@ -19,8 +19,8 @@ core:
 options:
 	@echo $(OPTIONS)
 
-# Generated on every run, so that no option goes unread, and moved into place where it differs
-# from what is there.
+# Generated on every run, so that a wrong option is always refused, but moved into place only if the
+# files differ.
 $(RTL): $(SEPAX) FORCE
 	@new=$(CORE).$$$$ && mkdir -p $(@D) && trap 'rm -rf $$new' EXIT && \
 	$(GEN) $(OPTIONS) -o $$new > /dev/null && { diff -rq $$new $(@D) > /dev/null 2>&1 || \
@@ -45,12 +45,12 @@ PAIR_ARGS = $(if $(filter families,$(PAIRS)),$(SEEDED),$(if \
             $(SEEDED),$(if $(filter grid,$(PAIRS)),--sample --count=$(COUNT),$(if \
             $(filter bits,$(PAIRS)),--bits,--pairs="$(PAIRS)"))))
 
-# Pairs of meshes are many for gates: they get them only if the user names the meshes.
+# Two meshes have too many pairs for a simulation of gates, unless the user names the meshes.
 GATE_MESHES = $(if $(PAIRS),,$(if $(call given,MESH_A),$(SAMPLES)))
 GATE_ARGS   = $(if $(PAIRS),$(PAIR_ARGS),$(if $(call given,MESH_A),$(MESH_ARGS),$(SEEDED)))
 
-# What a run of `make cosim` reads of the variables that choose its pairs. To give it another one is
-# an error, because its value would be passed over.
+# Of the variables that choose pairs, those that this run of `make cosim` reads. Any other one is an
+# error, because its value would be ignored.
 SIMULATED = $(if $(call is_on,NETLIST),netlist,$(filter object tree,$(DESIGN_ENGINE)))
 ifeq ($(MAKECMDGOALS),cosim)
 OF_PAIRS = MESH_A MESH_B RESOLUTION NORMALS PAIRS COUNT SEED STRESS VIEW SIMULATOR NETLIST \
@@ -86,7 +86,7 @@ endif
 
 # ------------------------------------------------------------------------- Verilator
 
-# The view of exact's arithmetic that is simulated: its macro, and the suffix of what is made of it.
+# The view of exact's multipliers that is simulated: its macro, and the suffix of file names.
 MODEL_PATH = $(addprefix -I,$(abspath lib io c_model program tb))
 VIEW_MACRO = $(if $(filter behavioural,$(VIEW)),-DSEPAX_BEHAVIOURAL)
 OF_VIEW    = $(if $(filter behavioural,$(VIEW)),,-structural)
@@ -97,21 +97,22 @@ COSIM_CPP  = $(abspath tb/cosim/cosim.cpp $(OPTIONS_OBJ) $(IO) $(LIB))
 COSIM_DEPS = $(RTL) $(LIB) $(IO) $(OPTIONS_OBJ) tb/meshes.h \
              $(wildcard tb/cosim/*.cpp tb/cosim/*.h tb/cosim/*.vlt)
 
-# verilate TOP FLAGS FILES, linked with what the readers of meshes need. Verilator 5.006 miscompiles
-# trees of single bits (its issue 4059) but for -fno-const-bit-op-tree.
+# verilate TOP FLAGS FILES, linked with the libraries of the mesh readers. Without
+# -fno-const-bit-op-tree, Verilator 5.006 miscompiles trees of single bits (its issue 4059).
 verilate = scripts/need cosim c++ verilator && \
            rm -rf $@ $(CORE)/obj-$(@F) && cd $(CORE)/rtl && { LIBS="$(IO_LIBS)" \
            $(VERILATOR) --cc --exe --build -O3 --noassert -fno-const-bit-op-tree \
            --x-assign fast --x-initial unique --top-module $(1) -f sepax.f $(VIEW_MACRO) $(2) $(3) \
            --Mdir ../obj-$(@F) -o ../$(@F) > ../$(@F).log 2>&1 || \
            { tail -20 ../$(@F).log >&2; exit 1; }; }
-# For a short run one file compiles fastest: each has the header of all signals.
+# One large file compiles fastest, because each file includes the header of all signals.
 one_file    = $(if $(filter -O0 -O1 -Og,$(1)),--output-split 100000000 --output-split-cfuncs 20000)
 COSIM_OPT  ?= -O3
 COSIM_FLAGS = -MAKEFLAGS "OPT_FAST=$(COSIM_OPT) OPT_GLOBAL=-O2" $(call one_file,$(COSIM_OPT)) \
               -CFLAGS "$(MODEL_PATH) -I../rtl -DSEPAX_ISOLATION" \
               $(abspath tb/cosim/modules.vlt) $(if $(OF_VIEW),-fno-gate)
-# -fno-gate: the function of a kind of multiplier has no signal in it from where one of them stands.
+# -fno-gate: otherwise Verilator moves signals of one instance into the function that all
+# multipliers of this kind share, and the build fails.
 
 $(COSIM): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW)"
@@ -121,7 +122,7 @@ $(WAVE): $(COSIM_DEPS)
 	@echo "  VERILATE $(DESIGN_NAME)$(OF_VIEW) with waveforms"
 	@$(call verilate,$(COSIM_TOP),$(COSIM_FLAGS) --trace-fst,$(COSIM_CPP))
 
-# Which test bench: of the core in Verilator or Icarus, of its mapped gates, or of an engine.
+# The test bench: for the core in Verilator or Icarus, for its mapped gates, or for an engine.
 cosim: cosim-$(or $(SIMULATED),core)$(if $(filter icarus,$(SIMULATOR)),-icarus)
 
 cosim-core: $(COSIM) $(if $(PAIRS),,$(SAMPLES))

@@ -9,9 +9,9 @@ XML_CFLAGS  := -isystem $(firstword $(patsubst -I%,%,$(filter -I%,$(shell \
                pkg-config --cflags-only-I libxml-2.0 2> /dev/null))) /usr/include/libxml2)
 OBJCOPY     ?= objcopy
 
-# A file is made as $$new and then moved into its place, so that no other make sees the half of it:
+# A file is made as $$new and then renamed, so that no other make sees an incomplete file:
 #   $(aside) COMMAND -o $$new && $(in_place)
-# Coverage names its files as the object, which is then made in its place.
+# With --coverage the object is made in its place, because the names of coverage files follow it.
 measured     = $(filter --coverage,$(CFLAGS))
 aside        = new=$@$(if $(measured),,.$$$$) && \
                $(if $(measured),,trap 'rm -rf $$new $$new.*' EXIT && trap 'exit 1' HUP INT TERM &&)
@@ -22,9 +22,9 @@ OPTIONS_OBJ  = $(call object,program/cli/options.c)
 
 comma      := ,
 hash       := \#
-# libxml2 reads robots and DAE, libzip with it 3MF, libmd makes the digests of certificates. Where
-# one of them is missing, or is said to be (make build LIBXML2=no LIBZIP=no LIBMD=no), files of
-# folders `missing` take the place of what calls it.
+# libxml2 reads robots and DAE, libxml2 and libzip read 3MF, and libmd makes the digests of
+# certificates. If one is missing or switched off (LIBXML2=no, LIBZIP=no, LIBMD=no), then files in
+# folders `missing` replace the code that calls it.
 has = $(shell printf '%s\n' '$(hash)include <$(1)>' 'int main(void) { return 0; }' | \
       $(CC) $(filter-out --coverage,$(CFLAGS)) $(LDFLAGS) $(XML_CFLAGS) -x c - $(2) -o /dev/null \
       2> /dev/null && echo yes || echo no)

@@ -25,7 +25,7 @@ $(ROUTE)/fpga.json: $(FPGA)/fpga.json $(wildcard synth/fpga/route synth/fpga/rou
 	@echo "  ROUTE   $(DESIGN_NAME)"
 	@synth/fpga/route $(ROUTED) -o $(ROUTE) $(FPGA)
 
-# What keeps a design from being routed is said before it is mapped.
+# Whether the design can be routed at all is checked before it is mapped.
 routed: $(ROUTE)/fpga.json
 routable:
 	@synth/fpga/route -c $(TARGET) $(ROUTED)
@@ -37,7 +37,7 @@ fpga-file:
 
 # ----------------------------------------------------------------- the gates simulated
 
-# Each cell in the words of Yosys' model.
+# The mapped cells as Verilog (gates.v) and as C (gates.c), by Yosys' models of the cells.
 $(FPGA)/gates.c: $(FPGA)/fpga.json synth/fpga/models synth/fpga/lanes.awk
 	@echo "  GATES   $(DESIGN_NAME), mapped"
 	@synth/fpga/models -o $(FPGA) -n $(FPGA)/netlist.v $(TARGET)
@@ -50,7 +50,7 @@ cosim-netlist-icarus: COUNT = 170
 cosim-netlist-icarus: $(FPGA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
-# The pairs of the Verilator test bench through 64 designs at once.
+# The test bench with the gates as C, which simulates 64 copies of the design at once.
 GATES_OPT ?= -O1
 $(FPGA)/gates.o: $(FPGA)/gates.c
 	@$(CC) $(GATES_OPT) -c $< -o $@

@@ -5,7 +5,8 @@
 python: $(if $(filter yes,$(LIBXML2)),$(SEPAX))
 	@BUILD=$(BUILD) scripts/python wheels $(BUILD)/python/dist
 
-# Installed in a folder of build/, where this Python can do so; else with a file that says why not.
+# The packages, installed in a folder of build/. If this Python cannot do that, then a file there
+# says why.
 PYTHON_SRC = pyproject.toml setup.py MANIFEST.in scripts/python scripts/requirements.txt \
              $(wildcard python/* python/*/* python/*/*/*) \
              $(wildcard lib/*.h lib/*/*.[ch] io/*.h io/*/*.[ch] io/*/*/*.[ch]) \
@@ -16,7 +17,7 @@ $(BUILD)/python/site.made $(BUILD)/python/sanitized.made: $(PYTHON_SRC)
 	@BUILD=$(BUILD) scripts/python -k $(notdir $(basename $@)) $(basename $@)
 	@touch $@
 
-# The scenes of bench-bodies for Python, and what C takes for them.
+# The scenes of bench-bodies as files for Python, and the times of C for them.
 $(BUILD)/python_scenes: $(BUILD)/obj/tb/python/scenes.o $(BUILD)/obj/tb/benchmark/bodies_scenes.o \
                         $(LIB)
 	@echo "  LINK    $@"

@@ -18,10 +18,10 @@ analyse = $(CPPCHECK) $(CPPCHECKED) $(call PATH_OF,$(1)) $(2) && \
           $(call tidied,$(2)) $(call PATH_OF,$(1)) $(XML_CFLAGS) $(FOLLOWED)
 PYTHON_CORE = $(wildcard python/core/*.c)
 
-# How far clang-tidy follows the paths of one function: its own default; less far in `make test`.
+# How far clang-tidy follows the paths of one function: its default. `make test` gives less.
 NODES ?= 225000
 
-# Programs of an engine read headers that come with its Verilog.
+# The sources of an engine include headers that are generated with its Verilog.
 experiment-static: $(SEPAX)
 	@mkdir -p $(BUILD)/static
 	@$(GEN) --lanes=4 -o $(BUILD)/static/engine > /dev/null
@@ -33,8 +33,8 @@ experiment-static: $(SEPAX)
 	if [ -e "$$python/Python.h" ]; then \
 	  $(call tidied,$(PYTHON_CORE)) -Ilib -Iio -isystem "$$python" $(FOLLOWED); fi
 
-# Programs of the C code with the sanitizers of the compiler. The tests sanitize/... of tb/tests run
-# them.
+# The program, the unit tests and the fuzz targets. Those in build/sanitize have the sanitizers of
+# the compiler; the tests sanitize/... of tb/tests run them.
 c_programs: $(SEPAX) $(UNIT) $(FUZZ)
 $(BUILD)/sanitize/all: FORCE
 	@$(MAKE) BUILD=$(BUILD)/sanitize c_programs \
@@ -68,7 +68,7 @@ fuzz-targets: $(SEPAX)
 	          -fsanitize=fuzzer-no-link" fuzzers
 fuzzers: $(FUZZ)
 
-# One page of what stands of all that; nothing is run.
+# One page of the results that are in BUILD. It runs nothing itself.
 experiment-verify:
 	@scripts/verify $(BUILD)
 
@@ -80,7 +80,7 @@ experiment-slurm: $(BUILD)/hard-pairs
 experiment-proofs: $(SEPAX)
 	@tb/formal/run
 
-# Which share of small faults in the C code the unit tests see.
+# The share of small faults in the C code that the tests see.
 experiment-mutation-c:
 	@tb/mutation/c/run $(if $(call given,COUNT),-c $(COUNT)) -s $(SEED) $(BUILD)/mutants \
 	  $(or $(PLACES),lib/verdict lib/batch)

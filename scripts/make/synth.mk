@@ -3,14 +3,14 @@
 
 LIBRARY = $(basename $(notdir $(LIBERTY:.gz=)))
 
-# OpenSTA wants a netlist that is sized for a clock: the generator's, in Nangate45; other libraries
-# are slower, osu018 about four times.
+# OpenSTA needs a netlist that is sized for a clock. In Nangate45 this is the generator's clock;
+# other libraries are slower, osu018 about four times.
 CLOCK_NS ?= $(patsubst CLOCK_NS=%,%,$(filter CLOCK_NS=%,$(shell $(SEPAX) name --make)))
 ifneq ($(filter timed timing-file laid layout-file assigned flow,$(MAKECMDGOALS)),)
 SIZED_FOR = $(if $(filter nangate45%,$(LIBRARY)),$(if $(filter paper,$(ARCH)),$(CLOCK_NS)),$(shell \
             LC_ALL=C awk 'BEGIN { print 4 * "$(CLOCK_NS)" }'))
 PERIOD   := $(or $(PERIOD),$(SIZED_FOR))
-# With an uncertainty of the clock, in percent, cells are sized for what it leaves of the period.
+# With an UNCERTAINTY of the clock, in percent, cells are sized for a period that is shorter by it.
 ifneq ($(filter flow,$(MAKECMDGOALS)),)
 UNCERTAINTY ?= 10
 endif
@@ -23,16 +23,16 @@ endif
 endif
 AT_FULL   = $(if $(UNCERTAINTY),-p $(FULL))
 
-# In no library that is here the paper's schedule meets the clock that it is sized for: further
-# rounds of sizing take a minute each and gain nothing. So thresholds are chosen for the period that
-# the first round reaches, with the multipliers that exact is made of, as in `make report`.
+# The paper's schedule meets its clock in no library that we have, and further rounds of sizing take
+# a minute each and gain nothing. So thresholds are chosen for the period that the first round
+# reaches, with generated multipliers, as in `make report`.
 ifneq ($(and $(filter assigned,$(MAKECMDGOALS)),$(filter paper conference,$(ARCH))),)
 ROUNDS_OF    = -r 1
 ONCE         = once
 MULTIPLIERS ?= generated
 endif
 
-# A period that was given, multipliers, and a netlist sized in one round have a folder of their own.
+# A given period, generated multipliers, clock gates and sizing in one round change the folder.
 GENERATED = $(filter generated,$(MULTIPLIERS))
 GATED     = $(if $(call is_on,GATING),gated)
 AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)$(ONCE:%=-%)
@@ -43,7 +43,7 @@ AREA      = $(CORE)/$(LIBRARY)$(PERIOD:%=-%ns)$(GENERATED:%=-%)$(GATED:%=-%)$(ON
 routed:
 	@echo "fpga: TARGET=asic is none; give TARGET=ecp5, ice40, xc7, xcup or gowin" >&2; exit 2
 
-# Another library of the same name is another library. Sizing keeps the limits of all corners.
+# The checksum notices another library of the same name. Sizing keeps the limits of all corners.
 OTHER_CORNERS = $(or $(CORNERS),$(filter-out $(LIBERTY),$(foreach corner,slow fast, \
                 $(dir $(LIBERTY))$(subst typ,$(corner),$(notdir $(LIBERTY))))))
 $(AREA)/liberty.sum: FORCE
@@ -99,7 +99,7 @@ assigned: $(AREA)/area.json
 
 # ------------------------------------------------------------------------- power
 
-# Pairs that collide, pairs in one plane: seeded, the same for all designs of a word length.
+# Seeded pairs that collide or are coplanar, the same for all designs of a word length.
 LOADS     = $(BUILD)/power-w$(WORD)
 COLLIDING = --family=local --count=12000
 COPLANAR_PAIRS = --family=coplanar --count=8000
@@ -114,7 +114,7 @@ $(LOADS)/coplanar.txt: $(SEPAX)
 .PHONY: workloads
 workloads: $(LOADS)/colliding.txt $(LOADS)/coplanar.txt
 
-# An engine makes its pairs itself.
+# An engine finds its pairs itself, so it takes meshes.
 CYCLES    ?= 200
 POWER_MESH = $(MESH_A) $(MESH_B) $(if $(filter fit,$(RESOLUTION)),0,$(RESOLUTION))
 LOAD_FILES = $(or $(LOAD_FILES_$(DESIGN_ENGINE)),$(SAMPLES))
@@ -153,13 +153,14 @@ $(AREA)/netlist.vvp: $(AREA)/area.json $(TEST_BENCH)
 	  $(AREA)/netlist.v && echo -DSEPAX_TEST_ENABLE) $(AREA)/netlist.v $(AREA)/cells.v \
 	  $(TEST_BENCH)
 
-# A gate-level pair takes a second at W = 18: ten of each family are many.
+# A pair takes Icarus a second on gates of W = 18, so there are only ten pairs of each family.
 cosim-netlist-icarus: COUNT = 170
 cosim-netlist-icarus: $(AREA)/netlist.vvp $(CORE)/icarus.pairs
 	@$(VVP) -N $< +pairs=$(CORE)/icarus.pairs
 
-# Under the Verilator test bench, module by module, for which verilator_bin does not find itself;
-# but in one where clock gates make clocks, of which a module by itself takes wrong edges.
+# Verilate hierarchically, one module at a time. This needs the script `verilator`, because
+# verilator_bin does not find itself. A design with clock gates is verilated as one, because a
+# separately verilated module samples a gated clock at the wrong edge.
 SCRIPT_OF_VERILATOR = $(VERILATOR:/usr/bin/verilator_bin=verilator)
 BY_MODULE = $(if $(GATED),--output-split 20000,--output-split 1000000 --hierarchical netlist.vlt)
 $(AREA)/cosim: $(AREA)/area.json $(COSIM_DEPS)
