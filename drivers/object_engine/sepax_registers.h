@@ -6,14 +6,14 @@
 
 #define SEPAX_IDENTITY 0x53505841u
 
-#define SEPAX_ID 0x00u /* 0x53505841, "SPXA" */
+#define SEPAX_ID 0x00u /* kind of engine: 0x53505841, "SPXA" */
 
-#define SEPAX_GENERATOR 0x04u /* its version */
+#define SEPAX_GENERATOR 0x04u /* version of sepax that made the engine */
 #define SEPAX_GENERATOR_MAJOR(value) (((value) & 0xff0000u) >> 16)
 #define SEPAX_GENERATOR_MINOR(value) (((value) & 0xff00u) >> 8)
 #define SEPAX_GENERATOR_PATCH(value) (((value) & 0xffu) >> 0)
 
-#define SEPAX_DESIGN 0x08u /* what was generated */
+#define SEPAX_DESIGN 0x08u /* options of the design */
 #define SEPAX_DESIGN_WORD(value) (((value) & 0x3fu) >> 0)
 #define SEPAX_DESIGN_LANES(value) (((value) & 0x7f00u) >> 8)
 #define SEPAX_DESIGN_CORES(value) (((value) & 0xf0000u) >> 16)
@@ -23,15 +23,15 @@
 #define SEPAX_MEMORY_LOG2_A(value) (((value) & 0xfu) >> 0)
 #define SEPAX_MEMORY_LOG2_B(value) (((value) & 0xf00u) >> 8)
 
-#define SEPAX_COMMAND 0x10u /* one bit, written as 1 */
+#define SEPAX_COMMAND 0x10u /* commands: write a 1 to one bit, 0 to all others */
 #define SEPAX_COMMAND_START 0x1u
 #define SEPAX_COMMAND_STOP 0x2u
 
-#define SEPAX_MODE 0x14u /* of the next run; not writable while busy */
+#define SEPAX_MODE 0x14u /* modes of the next run; a write while BUSY gets SLVERR */
 #define SEPAX_MODE_FIRST 0x1u
 #define SEPAX_MODE_QUIET 0x2u
 
-#define SEPAX_STATUS 0x18u /* of the run and of both objects */
+#define SEPAX_STATUS 0x18u /* state of the run and of both objects */
 #define SEPAX_STATUS_BUSY 0x1u
 #define SEPAX_STATUS_HIT 0x2u
 #define SEPAX_STATUS_OUT_OF_RANGE 0x4u
@@ -43,40 +43,40 @@
 #define SEPAX_STATUS_PARTIAL 0x200u
 #define SEPAX_STATUS_FULL 0x400u
 
-#define SEPAX_ENABLE 0x1cu /* which of PENDING raise the interrupt */
+#define SEPAX_ENABLE 0x1cu /* irq is 1 while a bit is 1 both here and in PENDING */
 #define SEPAX_ENABLE_DONE 0x1u
 #define SEPAX_ENABLE_HIT 0x2u
 #define SEPAX_ENABLE_LOADED 0x4u
 
-#define SEPAX_PENDING 0x20u /* write 1 to clear */
+#define SEPAX_PENDING 0x20u /* events since they were cleared; write 1 to a bit to clear it */
 #define SEPAX_PENDING_DONE 0x1u
 #define SEPAX_PENDING_HIT 0x2u
 #define SEPAX_PENDING_LOADED 0x4u
 
-#define SEPAX_COUNT_A 0x24u /* triangles of A, 0 unless it is whole */
+#define SEPAX_COUNT_A 0x24u /* triangles of A; 0 unless A is complete */
 
-#define SEPAX_COUNT_B 0x28u /* triangles of B, 0 unless it is whole */
+#define SEPAX_COUNT_B 0x28u /* triangles of B; 0 unless B is complete */
 
-#define SEPAX_MOVE_X 0x2cu /* added to each x of B, signed, W + 1 bits; not writable while busy */
+#define SEPAX_MOVE_X 0x2cu /* added to each x of B: signed, W + 1 bits, else SLVERR; a write while BUSY gets SLVERR */
 
-#define SEPAX_MOVE_Y 0x30u /* likewise */
+#define SEPAX_MOVE_Y 0x30u /* added to each y of B: signed, W + 1 bits, else SLVERR; a write while BUSY gets SLVERR */
 
-#define SEPAX_MOVE_Z 0x34u /* likewise */
+#define SEPAX_MOVE_Z 0x34u /* added to each z of B: signed, W + 1 bits, else SLVERR; a write while BUSY gets SLVERR */
 
-#define SEPAX_PAIRS 0x38u /* pairs through the comparator lanes in this run */
+#define SEPAX_PAIRS 0x38u /* pairs that the comparator lanes have tested */
 
 #define SEPAX_CANDIDATES 0x3cu /* pairs that went on to the cores */
 
-#define SEPAX_COLLISIONS 0x40u /* pairs that collide */
+#define SEPAX_COLLISIONS 0x40u /* pairs that collide, with undecided ones */
 
-#define SEPAX_OUT_OF_RANGE 0x44u /* of these, undecided: beyond an extent, or moved out of W bits */
+#define SEPAX_OUT_OF_RANGE 0x44u /* undecided collisions: beyond an extent, or moved out of W bits */
 
-#define SEPAX_WARNINGS 0x48u /* pairs of the band between clearance and warning */
+#define SEPAX_WARNINGS 0x48u /* pairs in the band between clearance and warning */
 
 #define SEPAX_CYCLES 0x4cu /* clock cycles of the run; stays at its largest value */
 
-#define SEPAX_FIRST_A 0x50u /* first collision: number of A's triangle */
+#define SEPAX_FIRST_A 0x50u /* number of A's triangle in the first collision */
 
-#define SEPAX_FIRST_B 0x54u /* first collision: number of B's triangle */
+#define SEPAX_FIRST_B 0x54u /* number of B's triangle in the first collision */
 
 #endif

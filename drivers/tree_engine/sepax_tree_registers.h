@@ -6,25 +6,25 @@
 
 #define SEPAX_TREE_IDENTITY 0x53505854u
 
-#define SEPAX_TREE_ID 0x00u /* 0x53505854, "SPXT" */
+#define SEPAX_TREE_ID 0x00u /* kind of engine: 0x53505854, "SPXT" */
 
-#define SEPAX_TREE_GENERATOR 0x04u /* its version */
+#define SEPAX_TREE_GENERATOR 0x04u /* version of sepax that made the engine */
 #define SEPAX_TREE_GENERATOR_MAJOR(value) (((value) & 0xff0000u) >> 16)
 #define SEPAX_TREE_GENERATOR_MINOR(value) (((value) & 0xff00u) >> 8)
 #define SEPAX_TREE_GENERATOR_PATCH(value) (((value) & 0xffu) >> 0)
 
-#define SEPAX_TREE_DESIGN 0x08u /* what was generated */
+#define SEPAX_TREE_DESIGN 0x08u /* options of the design */
 #define SEPAX_TREE_DESIGN_WORD(value) (((value) & 0x3fu) >> 0)
 #define SEPAX_TREE_DESIGN_CORES(value) (((value) & 0xf0000u) >> 16)
 #define SEPAX_TREE_DESIGN_II(value) (((value) & 0x1f000000u) >> 24)
 
-#define SEPAX_TREE_MARGIN 0x0cu /* of AABBs, LSB: 0, or 1 + the largest clearance + 2 ... 5 for poses */
+#define SEPAX_TREE_MARGIN 0x0cu /* largest gap of near AABBs in LSB: 0, or 1 + the largest clearance + 2 ... 5 for poses */
 
-#define SEPAX_TREE_COMMAND 0x10u /* one bit, written as 1 */
+#define SEPAX_TREE_COMMAND 0x10u /* commands: write a 1 to one bit, 0 to all others */
 #define SEPAX_TREE_COMMAND_START 0x1u
 #define SEPAX_TREE_COMMAND_STOP 0x2u
 
-#define SEPAX_TREE_STATUS 0x14u /* of the batch: what was true of any of its poses */
+#define SEPAX_TREE_STATUS 0x14u /* state of the batch; bits 6:1 are ORed over its poses */
 #define SEPAX_TREE_STATUS_BUSY 0x1u
 #define SEPAX_TREE_STATUS_HIT 0x2u
 #define SEPAX_TREE_STATUS_OUT_OF_RANGE 0x4u
@@ -33,34 +33,34 @@
 #define SEPAX_TREE_STATUS_BUS 0x20u
 #define SEPAX_TREE_STATUS_REFUSED 0x40u
 
-#define SEPAX_TREE_ENABLE 0x18u /* which of PENDING raise the interrupt */
+#define SEPAX_TREE_ENABLE 0x18u /* irq is 1 while a bit is 1 both here and in PENDING */
 #define SEPAX_TREE_ENABLE_DONE 0x1u
 #define SEPAX_TREE_ENABLE_HIT 0x2u
 #define SEPAX_TREE_ENABLE_POSE 0x4u
 
-#define SEPAX_TREE_PENDING 0x1cu /* write 1 to clear */
+#define SEPAX_TREE_PENDING 0x1cu /* events since they were cleared; write 1 to a bit to clear it */
 #define SEPAX_TREE_PENDING_DONE 0x1u
 #define SEPAX_TREE_PENDING_HIT 0x2u
 #define SEPAX_TREE_PENDING_POSE 0x4u
 
-#define SEPAX_TREE_LIST_LOW 0x20u /* address of the first job, a multiple of 128, bits 31:0; not writable while busy */
+#define SEPAX_TREE_LIST_LOW 0x20u /* bits 31:0 of the first job's address, a multiple of 128; a write while BUSY gets SLVERR */
 
-#define SEPAX_TREE_LIST_HIGH 0x24u /* its bits 39:32; likewise */
+#define SEPAX_TREE_LIST_HIGH 0x24u /* bits 39:32 of the first job's address; a write while BUSY gets SLVERR */
 
-#define SEPAX_TREE_JOBS 0x28u /* how many jobs; likewise */
+#define SEPAX_TREE_JOBS 0x28u /* number of jobs of the batch; a write while BUSY gets SLVERR */
 
 #define SEPAX_TREE_JOB 0x2cu /* number of the job that is worked on, from 0 */
 
-#define SEPAX_TREE_POSE 0x30u /* number of its pose, from 0 */
+#define SEPAX_TREE_POSE 0x30u /* number of the pose of JOB that is worked on, from 0 */
 
 #define SEPAX_TREE_POSES 0x34u /* poses of the batch that have ended */
 
-#define SEPAX_TREE_HITS 0x38u /* of these, poses with a collision */
+#define SEPAX_TREE_HITS 0x38u /* poses of the batch with a collision */
 
-#define SEPAX_TREE_HIT_JOB 0x3cu /* the first of them: number of its job */
+#define SEPAX_TREE_HIT_JOB 0x3cu /* job of the first collision, from 0 */
 
-#define SEPAX_TREE_HIT_POSE 0x40u /* number of the pose */
+#define SEPAX_TREE_HIT_POSE 0x40u /* pose of the first collision, from 0 */
 
-#define SEPAX_TREE_CYCLES 0x44u /* clock cycles of the batch */
+#define SEPAX_TREE_CYCLES 0x44u /* clock cycles of the batch, modulo 2^32 */
 
 #endif

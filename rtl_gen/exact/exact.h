@@ -139,6 +139,9 @@ void exact_place_judges(exact_plan *p);
 int exact_narrow_latency(const exact_plan *p);
 int exact_latency(const exact_plan *p);
 
+/* The latency of a pair that takes a second pass; 0 if no pair does. */
+int exact_second_pass(const exact_plan *p);
+
 /* The cycle in which signs are taken for the plane: on an FPGA two before it is judged. */
 int exact_projection_cycle(const exact_plan *p);
 

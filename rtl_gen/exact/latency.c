@@ -93,4 +93,9 @@ int exact_narrow_latency(const exact_plan *p) {
   return 1 + (1 + p->verdict_cycle) + 1 + p->delay->family;
 }
 
+/* The second pass begins in the window after the one in which the plane is judged. */
+int exact_second_pass(const exact_plan *p) {
+  return p->single ? 0 : exact_latency(p) + p->plane_cycle + 1;
+}
+
 int exact_latency(const exact_plan *p) { return aabb_latency(p->design) + exact_narrow_latency(p); }

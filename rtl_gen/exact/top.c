@@ -98,6 +98,7 @@ static void generate(emitter *e, exact_plan *plan) {
   const sepax_config *c = &e->design->config;
   emit_holes h = {0};
   e->design->latency = exact_latency(plan);
+  e->design->second_pass = exact_second_pass(plan);
   e->design->ripple = plan->ripple;
   gen_exact_units(e, plan, &h);
   gen_exact_core(e, plan, &h);
@@ -109,6 +110,7 @@ static void generate(emitter *e, exact_plan *plan) {
   gen_aabb_test(e, &h);
   emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
   emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
+  emit_hole_set(&h, "second_pass", "%d", e->design->second_pass);
   bool skid = engine_registers_ready(c);
   if (skid) {
     emit_template(e, "sepax_skid", NULL);

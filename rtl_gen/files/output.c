@@ -11,27 +11,47 @@
 #include "sheet/sheet.h"
 #include "util/error.h"
 
+#include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
-enum { OTHER_FILES = 24, HERE_LENGTH = 3000 };
+enum { OTHER_FILES = 24, HERE_LENGTH = 3000, PATH_LENGTH = 2 * HERE_LENGTH + 8 };
 
 /* The first module that has a file. */
 static int first_file(const emitter *e, const sepax_output *how) {
   return how->single_file ? e->modules - 1 : 0;
 }
 
+/* A path as a list of files has it: Icarus Verilog takes // for a comment. */
+static void put_path(emit_text *list, const char *path) {
+  for (const char *c = path; *c != '\0'; c++) {
+    if (c[0] != '/' || c[1] != '/') {
+      text_putc(list, *c);
+    }
+  }
+}
+
 /* The list of files with paths from the root. Like the other list it has no comments: Yosys takes
- * read_verilog $(cat LIST). */
-static void list_absolute(const emitter *e, const sepax_output *how, const char *folder,
-                          emit_text *list) {
-  char here[HERE_LENGTH] = "";
+ * read_verilog $(cat LIST). Tools split a line at a blank, and replace what begins with $. */
+static bool list_absolute(const emitter *e, const sepax_output *how, const char *folder,
+                          emit_text *list, sepax_error *error) {
+  char path[PATH_LENGTH] = "";
   const bool rooted = folder[0] == '/';
-  list->failed = list->failed || (!rooted && getcwd(here, sizeof here - 1) == NULL);
+  list->failed = list->failed || (!rooted && getcwd(path, HERE_LENGTH - 1) == NULL);
+  const size_t here = strlen(path);
+  snprintf(path + here, sizeof path - here, "%s%s/", rooted ? "" : "/", folder);
+  if (strpbrk(path, " \t\r\n\"'\\$*?") != NULL) {
+    return sepax_fail(error, SEPAX_ERROR_ARGUMENT,
+                      "%.200s: a list of files cannot name a folder with blanks, quotes, \\, $, * "
+                      "or ?; give another folder, or leave --absolute out",
+                      folder);
+  }
   for (int i = first_file(e, how); i < e->modules; i++) {
-    text_printf(list, "%s%s%s/", here, rooted ? "" : "/", folder);
+    put_path(list, path);
     prefix_put(list, e->module[i]->name, e->prefix);
     text_puts(list, ".v\n");
   }
+  return true;
 }
 
 /* Registers of an engine, if there are any. */
@@ -108,12 +128,11 @@ bool gen_write(emitter *e, const char *folder, const sepax_output *how, const sh
   folder_init(&o, folder, e->prefix, e->modules + OTHER_FILES);
   render(e, how, costs, &o);
   folder_rename(&o);
-  if (how->absolute) {
-    list_absolute(e, how, folder, folder_add(&o, "sepax_absolute", "f"));
-  }
-  bool ok = emit_works(e);
-  if (!ok) {
+  bool ok =
+      !how->absolute || list_absolute(e, how, folder, folder_add(&o, "sepax_absolute", "f"), error);
+  if (ok && !emit_works(e)) {
     *error = e->error;
+    ok = false;
   }
   ok = ok && folder_write(&o, error);
   folder_free(&o);

@@ -9,6 +9,9 @@ static void put_access(xml *x, engine_kind kind) {
   static const char *const access[] = {"read-only", "read-only", "write-only", "read-write",
                                        "read-write"};
   xml_leaf(x, "access", "%s", access[kind]);
+  if (kind >= ENGINE_WRITE) {
+    xml_leaf(x, "resetValue", "0x0");
+  }
   if (kind == ENGINE_CLEAR) {
     xml_leaf(x, "modifiedWriteValues", "oneToClear");
   }

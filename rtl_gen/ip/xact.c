@@ -94,6 +94,13 @@ static void put_field(xml *x, const engine_register *of, const engine_register *
     xml_leaf(x, "description", "%s", field->about);
   }
   xml_leaf(x, "bitOffset", "%d", field != NULL ? field->low : 0);
+  if (of->kind >= ENGINE_WRITE) {
+    xml_open(x, "resets", "");
+    xml_open(x, "reset", "");
+    xml_leaf(x, "value", "0");
+    xml_close(x, "reset");
+    xml_close(x, "resets");
+  }
   xml_leaf(x, "bitWidth", "%d", field != NULL ? field->bits : 32);
   put_access(x, of->kind);
   if (of->kind == ENGINE_CLEAR) {

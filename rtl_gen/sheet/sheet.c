@@ -90,16 +90,20 @@ static void put_speed(const emitter *e, page *p) {
               d->latency, c->ii);
     return;
   }
-  page_text(p,
-            "%s verdict comes %d cycles after the cycle that takes its pair, both counted, if the "
-            "core was empty. %s takes a pair every %s.",
-            words_has_engine(d) ? "In a core, a" : "A", d->latency,
-            words_has_engine(d) ? "A core" : "The block",
-            cycles > 1 ? gen_format("%d cycles", cycles).text : "cycle");
-  if (!c->flag && d->limits == 0) {
-    page_text(p,
-              "A pair in a plane along the z axis passes the core twice: its verdict comes later, "
-              "and the second pass takes the place of another pair.");
+  page_text(
+      p,
+      "The latency%s is %d cycles, from the cycle that takes a pair to the cycle of its verdict. "
+      "Both cycles are counted, and the core was empty. %s takes a pair every %s.",
+      words_has_engine(d) ? " of a core" : "", d->latency,
+      words_has_engine(d) ? "A core" : "The block",
+      cycles > 1 ? gen_format("%d cycles", cycles).text : "cycle");
+  if (d->second_pass > 0) {
+    page_text(
+        p,
+        "A pair is flat if its six vertices are on one line when they are seen along %s. A "
+        "flat pair passes the core twice: its latency is %d cycles, and the second pass takes "
+        "the place of another pair.",
+        words_has_engine(d) ? "the thinnest side" : "the z axis", d->second_pass);
   }
 }
 

@@ -129,8 +129,10 @@ void words_verdict(const sepax_design *d, page *p) {
   }
   page_table(p, stream ? "axis\tmeaning" : "`out_axis`\tmeaning");
   page_row(p, "0\tno axis separates: a collision");
-  page_row(p,
-           "1 + 3 i + j\tthe product of edge i of A and edge j of B separates, i and j from 0 on");
+  page_row(
+      p,
+      "1 + 3 i + j\tthe cross product of edge i of A and edge j of B separates; edge i goes from "
+      "vertex i + 1 to the next one; i, j = 0, 1, 2");
   page_row(p, "10\tthe normal of A separates");
   page_row(p, "11\tthe normal of B separates");
   if (d->limits > 0) {

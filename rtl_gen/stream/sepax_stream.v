@@ -11,6 +11,7 @@
 // s_axis_tready: no path leads to it from an input without a register.
 // Latency @latency@ from a pair's last transfer to its verdict, both counted,
 // when it was empty.
+// A pair that is flat (sepax_top.v) has @second_pass@ cycles. //@ passes
 module sepax_stream (
   (* X_INTERFACE_INFO = "xilinx.com:signal:clock:1.0 aclk CLK" *)
   (* X_INTERFACE_PARAMETER = "ASSOCIATED_BUSIF s_axis:m_axis, ASSOCIATED_RESET aresetn" *)
@@ -33,7 +34,7 @@ module sepax_stream (
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TREADY" *)
   input  wire        m_axis_tready, // taken in this cycle
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TDATA" *)
-  output wire [31:0] m_axis_tdata,  // docs/reference/exact.md, AXI4-Stream
+  output wire [31:0] m_axis_tdata,  // @verdict_bits@
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TUSER" *)
   output wire [@tag_msb@:0] m_axis_tuser, // tag of the pair
   (* X_INTERFACE_INFO = "xilinx.com:interface:axis:1.0 m_axis TLAST" *)

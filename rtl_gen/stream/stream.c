@@ -32,6 +32,9 @@ static void generate(emitter *e, emit_holes *h, int pairs) {
   emit_hole_set(h, "words", "%s", of[c->stream].words);
   emit_hole_set(h, "word_about", "%s", of[c->stream].about);
   emit_hole_set(h, "layout", "%s", of[c->stream].layout);
+  emit_hole_set(h, "verdict_bits", "0 %s, 1 coplanar, 2 undecided, 3 cut, %s11:8 axis",
+                e->design->limits > 0 ? "hit" : "collision",
+                e->design->limits > 0 ? "5:4 band, " : "");
   emit_template(e, "sepax_fifo", (emit_hole[]){{"fpga", "0"}, {NULL, NULL}});
   emit_template(e, "sepax_gather", h->hole);
   emit_template(e, "sepax_stream", h->hole);

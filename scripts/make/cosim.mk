@@ -82,6 +82,17 @@ ifneq ($(and $(filter %-icarus,$(RUN)),$(filter corners within beyond overlaps p
 $(error cosim: SIMULATOR=icarus takes PAIRS=FILE, families or bits; leave out SIMULATOR for \
   PAIRS=$(PAIRS))
 endif
+# A file that is not there is said before anything is compiled. The sample meshes are made.
+NAMED_PAIRS = families corners within beyond overlaps powers axes grid bits
+FILES_READ := $(if $(PAIRS),$(if $(filter $(NAMED_PAIRS) -,$(PAIRS)),,'$(PAIRS)'),$(if \
+              $(mesh_named),'$(MESH_A)' '$(MESH_B)'))
+no_file    := $(if $(FILES_READ),$(shell for file in $(FILES_READ); do \
+              case $$file in ($(BUILD)/mesh/*) continue ;; esac; \
+              [ -r "$$file" ] || { echo "$$file"; break; }; done))
+ifneq ($(and $(filter core core-icarus netlist netlist-icarus object,$(RUN)),$(no_file)),)
+$(error cosim: $(no_file): No such file, or it cannot be read; give $(if \
+  $(PAIRS),a file of pairs$(comma) or PAIRS=NAME with one of: $(NAMED_PAIRS),MESH_A and MESH_B))
+endif
 endif
 
 # ------------------------------------------------------------------------- Verilator

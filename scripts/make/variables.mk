@@ -45,6 +45,13 @@ ifeq ($(filter-out $(WITHOUT_PAIRS),$(MAKECMDGOALS)),)
 $(error make $(MAKECMDGOALS) does not read $(passed_over); leave it out)
 endif
 endif
+# Those who know sepax gen --prefix would take PREFIX for it.
+OF_DESIGN = rtl cosim wave lint area timing power layout fpga
+ifneq ($(and $(filter 0,$(MAKELEVEL)),$(filter PREFIX,$(on_line)),$(filter \
+  $(OF_DESIGN),$(MAKECMDGOALS))),)
+$(error make $(firstword $(filter $(OF_DESIGN),$(MAKECMDGOALS))) does not read PREFIX, the folder \
+  of make install; to give modules a prefix run build/sepax gen --prefix=$(PREFIX) -o DIR)
+endif
 ifneq ($(and $(DESIGN),$(filter DESIGN,$(on_line)),$(filter $(DESIGN_VARIABLES),$(on_line))),)
 $(error DESIGN="$(DESIGN)" and $(firstword $(filter $(DESIGN_VARIABLES),$(on_line))) both describe \
   the design; give one of them)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Are the registers in SystemRDL those of the C header and of the page?
+"""Are the registers in SystemRDL those of the C header and of the page? Is each register and field
+described in words that need no other row, as a debugger shows them? Has each register that can be
+written a value after reset?
 
   registers.py FOLDER MAP   of sepax gen; MAP is sepax_registers or sepax_tree_registers. Exit
                             status 1 and a line for each difference
@@ -18,12 +20,29 @@ ACCESS = {
 }
 
 
+def undescribed(register):
+    """Registers and fields without a description of their own, and fields without a reset."""
+    rows = [(register.inst_name, register.get_property("desc"))]
+    for f in register.fields():
+        name = f"{register.inst_name}.{f.inst_name}"
+        if f.inst_name != "VALUE":
+            rows.append((name, f.get_property("desc")))
+        if f.is_sw_writable and f.get_property("reset") != 0:
+            print(f"{name}: no value after reset")
+            yield name
+    for name, words in rows:
+        if not words or re.match(r"(its|of (these|them)|the same|likewise)\b", words):
+            print(f"{name}: no description of its own: {words!r}")
+            yield name
+
+
 def of_rdl(path):
-    """{register: (address, access, {field: (lowest bit, bits)})}"""
+    """({register: (address, access, {field: (lowest bit, bits)})}, number of undescribed)"""
     compiler = RDLCompiler()
     compiler.compile_file(path)
-    registers = {}
+    registers, wrong = {}, 0
     for register in compiler.elaborate().top.registers():
+        wrong += len(list(undescribed(register)))
         fields = {f.inst_name: (f.lsb, f.width) for f in register.fields()}
         access = {
             ACCESS[f.get_property("sw").name, getattr(f.get_property("onwrite"), "name", None)]
@@ -33,7 +52,7 @@ def of_rdl(path):
             fields = {}
         registers[register.inst_name] = (register.absolute_address, access.pop(), fields)
         assert not access
-    return registers
+    return registers, wrong
 
 
 def of_header(path):
@@ -63,10 +82,9 @@ def of_page(path):
 
 
 def main(folder, of):
-    rdl = of_rdl(f"{folder}/{of}.rdl")
+    rdl, wrong = of_rdl(f"{folder}/{of}.rdl")
     header = of_header(f"{folder}/{of}.h")
     page = of_page(f"{folder}/{of}.md")
-    wrong = 0
     for name in sorted({*rdl, *header, *page}):
         others = (*header.get(name, (None, None)), page.get(name))
         address, access, fields = rdl.get(name, (None, None, None))
