@@ -89,7 +89,8 @@ FILES_READ := $(if $(PAIRS),$(if $(filter $(NAMED_PAIRS) -,$(PAIRS)),,'$(PAIRS)'
 no_file    := $(if $(FILES_READ),$(shell for file in $(FILES_READ); do \
               case $$file in ($(BUILD)/mesh/*) continue ;; esac; \
               [ -r "$$file" ] || { echo "$$file"; break; }; done))
-ifneq ($(and $(filter core core-icarus netlist netlist-icarus object,$(RUN)),$(no_file)),)
+OF_FILES   = core core-icarus netlist netlist-icarus $(if $(PAIRS),,object)
+ifneq ($(and $(filter $(OF_FILES),$(RUN)),$(no_file)),)
 $(error cosim: $(no_file): No such file, or it cannot be read; give $(if \
   $(PAIRS),a file of pairs$(comma) or PAIRS=NAME with one of: $(NAMED_PAIRS),MESH_A and MESH_B))
 endif
