@@ -132,15 +132,45 @@ static bool divided(const mesh_builder *b, polygon_result result, size_t count, 
   return true;
 }
 
+static void reverse(double (*corner)[3], size_t count) {
+  for (size_t n = 0; n < count / 2; n++) {
+    double keep[3];
+    memcpy(keep, corner[n], sizeof keep);
+    memcpy(corner[n], corner[count - 1 - n], sizeof keep);
+    memcpy(corner[count - 1 - n], keep, sizeof keep);
+  }
+}
+
+/* Let corner `first` be the first one, followed by the others, backwards or not. */
+static void reorder(double (*corner)[3], size_t count, size_t first, bool back) {
+  if (back) {
+    reverse(corner, count);
+    first = count - 1 - first;
+  }
+  if (first > 0) {
+    reverse(corner, first);
+    reverse(corner + first, count - first);
+    reverse(corner, count);
+  }
+}
+
 bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *what,
                             size_t number) {
   if (count == 3) {
     return sepax__builder_triangle(b, (const double(*)[3])b->corner);
   }
   bool bent = false;
+  bool back;
+  size_t first;
   const double(*corner)[3] = (const double(*)[3])b->corner;
-  if (!coordinates_right(b, b->soup.count, corner, count) ||
-      !divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, what,
+  if (!coordinates_right(b, b->soup.count, corner, count)) {
+    return false;
+  }
+  if (!sepax__sides_find(&b->sides, corner, count, &first, &back)) {
+    return sepax__builder_fail_memory(b);
+  }
+  reorder(b->corner, count, first, back);
+  if (!divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, what,
                number)) {
     return false;
   }
@@ -150,7 +180,7 @@ bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const ch
   for (size_t n = 0; n + 2 < count && ok; n++) {
     double v[3][3];
     for (int k = 0; k < 3; k++) {
-      memcpy(v[k], b->corner[b->triangle[n][k]], sizeof v[k]);
+      memcpy(v[k], b->corner[b->triangle[n][back ? 2 - k : k]], sizeof v[k]);
     }
     ok = sepax__builder_triangle(b, (const double(*)[3])v);
   }

@@ -4,6 +4,7 @@
 #define SEPAX_BUILDER_H
 
 #include "sepax_io.h"
+#include "sides.h"
 #include "util/error.h"
 
 /* The bytes of a file, followed by a '\0', and what was made from them. */
@@ -18,6 +19,7 @@ typedef struct {
   double (*corner)[3];              /* scratch space for `corners` corners of a polygon */
   size_t (*triangle)[3];            /* and for its triangles */
   size_t corners;
+  polygon_sides sides; /* the polygons of the file */
   sepax_error *error;
 } mesh_builder;
 
@@ -39,9 +41,9 @@ bool sepax__builder_triangle(mesh_builder *b, const double v[3][3]);
 /* Check a triangle that a reader put into the soup itself, as sepax__builder_triangle does. */
 bool sepax__builder_within(const mesh_builder *b);
 
-/* Add a polygon with the first `count` (3 or more) corners of b->corner, divided by polygon.h, and
- * count it in account.divided and account.bent. Fails if it cannot be divided. Messages call it
- * "face 17" by `what` and number; with line 0 they name no line. */
+/* Add a polygon with the first `count` (3 or more) corners of b->corner, divided by polygon.h in
+ * the order of sides.h, and count it in account.divided and account.bent. Fails if it cannot be
+ * divided. Messages call it "face 17" by `what` and number; with line 0 they name no line. */
 bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const char *what,
                             size_t number);
 

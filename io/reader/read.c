@@ -152,6 +152,7 @@ static bool parse(mesh_builder *b, sepax_soup *soup, sepax_mesh_account *account
   plain_numbers_end(plain);
   sepax_release(b->corner);
   sepax_release(b->triangle);
+  sepax_release(b->sides.slot);
   if (!ok) {
     sepax_soup_free(&b->soup);
     return false;

@@ -124,7 +124,8 @@ static bool on_a_line(const point *corner, size_t count) {
   return true;
 }
 
-division polygon_divide(const mesh *m, const point *corner, size_t count) {
+/* In the order of the corners. */
+static division divide(const mesh *m, const point *corner, size_t count) {
   if (count > CORNERS_MOST)
     cannot("%s: a polygon of %zu corners", m->file, count);
   division d = {memory(NULL, count - 2, sizeof *d.triangle), false, {0, 0, 0}};
@@ -169,5 +170,33 @@ division polygon_divide(const mesh *m, const point *corner, size_t count) {
   const long double height = (high - low) * (1 + 1e-9L) * (along < 0 ? -1 : 1);
   d.up = (point){axis == 0 ? height : 0, axis == 1 ? height : 0, axis == 2 ? height : 0};
   free(p);
+  return d;
+}
+
+static bool is_before(point a, point b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
+/* Both sides of a face are divided alike: from the lowest corner towards its lower neighbour. */
+division polygon_divide(const mesh *m, const point *corner, size_t count) {
+  size_t first = 0;
+  for (size_t n = 1; n < count; n++) {
+    if (is_before(corner[n], corner[first]))
+      first = n;
+  }
+  const bool back = is_before(corner[(first + count - 1) % count], corner[(first + 1) % count]);
+  const size_t step = back ? count - 1 : 1;
+  point *turned = memory(NULL, count, sizeof *turned);
+  for (size_t n = 0; n < count; n++)
+    turned[n] = corner[(first + n * step) % count];
+  division d = divide(m, turned, count);
+  for (size_t n = 0; n + 2 < count; n++) {
+    const size_t *of = d.triangle[n];
+    const size_t made[3] = {of[back ? 2 : 0], of[1], of[back ? 0 : 2]};
+    for (int k = 0; k < 3; k++)
+      d.triangle[n][k] = (first + made[k] * step) % count;
+  }
+  d.up = point_times(back ? -1 : 1, d.up);
+  free(turned);
   return d;
 }

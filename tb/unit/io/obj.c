@@ -87,6 +87,54 @@ CASE(polygons) {
 }
 
 /* What is behind a slash may be left out, or be of nothing. */
+/* Of a polygon that is there twice, from another corner on or the other way round, each triangle is
+ * there twice. */
+static void assert_pairs(void) {
+  for (size_t n = 0; n < soup.count; n++) {
+    size_t equal = 0;
+    for (size_t k = 0; k < soup.count; k++) {
+      size_t common = 0;
+      for (int i = 0; i < 9; i++) {
+        common += memcmp(soup.facet[n].v[i / 3], soup.facet[k].v[i % 3], sizeof(double[3])) == 0;
+      }
+      equal += common == 3;
+    }
+    assert_int_equal(equal, 2);
+  }
+}
+
+CASE(both_sides) {
+  static const char *const orders[] = {"1 2 3 4", "2 3 4 1", "3 4 1 2", "4 1 2 3",
+                                       "4 3 2 1", "3 2 1 4", "2 1 4 3", "1 4 3 2"};
+  char text[200];
+  for (size_t n = 0; n < sizeof orders / sizeof orders[0]; n++) {
+    snprintf(text, sizeof text, "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\nf %s\n",
+             orders[n]);
+    read_text(text, 2, 4);
+    assert_pairs();
+    double z = 0; /* of the sum of area vectors: the sides cancel, or not */
+    for (size_t k = 0; k < 4; k++) {
+      const double(*v)[3] = (const double(*)[3])soup.facet[k].v;
+      z += (v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[1][1] - v[0][1]) * (v[2][0] - v[0][0]);
+    }
+    assert_true(z == (n < 4 ? 4 : 0));
+  }
+  /* Concave; with another polygon between. */
+  read_text("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 0 1 0\nf 1 2 3 4 5\nf 2 1 5 4 3\n", 2, 6);
+  assert_pairs();
+  char many[4000] = "";
+  for (int n = 0; n < 100; n++) {
+    snprintf(many + strlen(many), 40, "v %d 0 0\nv %d 1 0\n", n, n);
+  }
+  for (int n = 0; n < 50; n++) {
+    int k = n < 25 ? n : n - 25;
+    snprintf(many + strlen(many), 40, n < 25 ? "f %d %d %d %d\n" : "f %4$d %3$d %2$d %1$d\n",
+             2 * k + 1, 2 * k + 3, 2 * k + 4, 2 * k + 2);
+  }
+  read_text(many, 50, 100);
+  assert_pairs();
+}
+
 CASE(corners_of_nothing) {
   read_text(VERTICES "f 1/ 2// 3/\n", 1, 1);
   assert_int_equal(account.others, 0);
