@@ -232,7 +232,7 @@ static void find_copies(const surface *s, const uint64_t *edge, size_t count, ui
     }
     for (size_t k = 0; k < count; k++) {
       equal += third[k] == third[n];
-      before += third[k] == third[n] && k < n;
+      before += k < n && third[k] == third[n];
     }
     halves = halves && equal % 2 == 0;
     left[0] += before == 0;
