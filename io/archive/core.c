@@ -52,7 +52,7 @@ core_element sepax__core_find(core_element parent, const char *name) {
 const char *sepax__core_name(core_element which) { return core[which].name; }
 
 /* "slic3rpe:mmu_segmentation attributes". */
-bool sepax__core_foreign(part_xml *x, const char *prefix, const char *name, const char *what) {
+bool sepax__core_name_foreign(part_xml *x, const char *prefix, const char *name, const char *what) {
   char text[60];
   snprintf(text, sizeof text, "%.16s%s%.27s %s", prefix != NULL ? prefix : "",
            prefix != NULL ? ":" : "", name, what);
@@ -71,10 +71,10 @@ static bool check_core_attribute(part_xml *x, core_element which, const char *na
     return sepax__part_xml_fail(x, "<%s %.40s=...> is not in the specification; export it again",
                                 core[which].name, name);
   }
-  return bar == NULL || found < bar || sepax__core_foreign(x, NULL, name, "attributes");
+  return bar == NULL || found < bar || sepax__core_name_foreign(x, NULL, name, "attributes");
 }
 
-bool sepax__core_check(part_xml *x, core_element which, const part_element *e) {
+bool sepax__core_check_attributes(part_xml *x, core_element which, const part_element *e) {
   for (int n = 0; n < e->attributes; n++) {
     part_attribute a = sepax__part_attribute(e, n);
     bool uuid = a.space != NULL && strcmp(a.space, PRODUCTION_SPACE) == 0;
@@ -91,7 +91,7 @@ bool sepax__core_check(part_xml *x, core_element which, const part_element *e) {
           sepax__part_xml_fail(x, "MustUnderstand=\"%.*s\" is not read; export the file without it",
                                (int)(a.length < 60 ? a.length : 60), a.value);
     } else if (!path && strcmp(a.space, XML_SPACE) != 0) {
-      ok = sepax__core_foreign(x, a.prefix, a.name, "attributes");
+      ok = sepax__core_name_foreign(x, a.prefix, a.name, "attributes");
     }
     if (!ok) {
       return false;
@@ -144,8 +144,8 @@ bool sepax__core_whole(part_xml *x, const part_attribute *given, size_t *value) 
                               (int)(a.length < 40 ? a.length : 40), a.value);
 }
 
-bool sepax__core_required(part_xml *x, core_element which, const part_element *e, const char *name,
-                          size_t *value) {
+bool sepax__core_required_whole(part_xml *x, core_element which, const part_element *e,
+                                const char *name, size_t *value) {
   part_attribute a;
   if (!sepax__core_attribute(e, name, &a)) {
     return sepax__part_xml_fail(x, "<%s> without %s=\"...\"; export it again", core[which].name,

@@ -38,10 +38,10 @@ core_element sepax__core_find(core_element parent, const char *name);
 const char *sepax__core_name(core_element which);
 
 /* Refuse attributes that the specification does not have, and name those that are passed over. */
-bool sepax__core_check(part_xml *x, core_element which, const part_element *e);
+bool sepax__core_check_attributes(part_xml *x, core_element which, const part_element *e);
 
 /* Name in the account what is passed over: "slic3rpe:mmu_segmentation attributes". */
-bool sepax__core_foreign(part_xml *x, const char *prefix, const char *name, const char *what);
+bool sepax__core_name_foreign(part_xml *x, const char *prefix, const char *name, const char *what);
 
 /* Find an attribute of the specification. */
 bool sepax__core_attribute(const part_element *e, const char *name, part_attribute *a);
@@ -52,8 +52,8 @@ bool sepax__core_number(part_xml *x, const part_attribute *given, double *value)
 bool sepax__core_whole(part_xml *x, const part_attribute *given, size_t *value);
 
 /* The same of an attribute that the element must have. */
-bool sepax__core_required(part_xml *x, core_element which, const part_element *e, const char *name,
-                          size_t *value);
+bool sepax__core_required_whole(part_xml *x, core_element which, const part_element *e,
+                                const char *name, size_t *value);
 
 /* True of the namespace of the specification; attributes of it have none. */
 static inline bool sepax__is_core(const char *space) {

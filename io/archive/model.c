@@ -106,7 +106,7 @@ static bool read_object(part_xml *x, reading *r, const part_element *e) {
   part_attribute a;
   size_t id = 0;
   size_t type = 0;
-  if (!sepax__core_required(x, CORE_OBJECT, e, "id", &id)) {
+  if (!sepax__core_required_whole(x, CORE_OBJECT, e, "id", &id)) {
     return false;
   }
   if (sepax__core_attribute(e, "type", &a)) {
@@ -241,7 +241,8 @@ static bool read_use(part_xml *x, core_element which, const part_element *e, mod
                      size_t *count, size_t *space) {
   model_use use = {.in = x->part, .line = x->parser->input->line, .at = {.identity = true}};
   part_attribute a;
-  if (!sepax__core_required(x, which, e, "objectid", &use.id) || !read_path(x, e, &use.part) ||
+  if (!sepax__core_required_whole(x, which, e, "objectid", &use.id) ||
+      !read_path(x, e, &use.part) ||
       (sepax__core_attribute(e, "transform", &a) && !sepax__model_matrix(x, &a, &use.at))) {
     return false;
   }
@@ -326,7 +327,7 @@ static bool start_foreign(part_xml *x, reading *r, const part_element *e) {
                                 "alone",
                                 e->name, e->space);
   }
-  return r->foreign++ > 0 || sepax__core_foreign(x, e->prefix, e->name, "elements");
+  return r->foreign++ > 0 || sepax__core_name_foreign(x, e->prefix, e->name, "elements");
 }
 
 static bool start(part_xml *x, const part_element *e) {
@@ -347,7 +348,7 @@ static bool start(part_xml *x, const part_element *e) {
     return start_foreign(x, r, e);
   }
   r->open[++r->depth] = which;
-  return sepax__core_check(x, which, e) && read_core(x, r, which, e);
+  return sepax__core_check_attributes(x, which, e) && read_core(x, r, which, e);
 }
 
 static void end(part_xml *x) {
