@@ -416,13 +416,17 @@ typedef struct {
   bool tree;                   /* also tree engines, if the scene has a path */
   bool first;                  /* tree engines end a pose at its first collision */
   int latency;                 /* cycles of a tree engine's memory; 0: SEPAX_TREE_LATENCY */
+  /* Asked of a design that is fast enough. False, with error ARGUMENT, if it cannot be made for the
+   * clock: then neither can one with other lanes or cores. The function may replace the gates and
+   * their error by better ones. NULL: every design can be made. */
+  bool (*plan)(const sepax_design *design, double *gates, double *gates_error, sepax_error *error);
 } sepax_size_request;
 
 /* The smallest design that is fast enough for a scene. */
 typedef struct {
   sepax_config config;       /* with lanes an object engine, with tree a tree engine; otherwise the
                                 core without an engine, to which every pair is given */
-  double gates, gates_error; /* as from sepax_gates */
+  double gates, gates_error; /* as from sepax_gates, or from the `plan` of the request */
   bool fitted;               /* the formula of sepax_gates was fitted to designs like this one */
   uint64_t cycles; /* of the slowest pose in sepax_size. If poses were sampled, then other poses may
                       take more. The golden models predict the cycles: sepax_object_engine to about
@@ -439,9 +443,10 @@ typedef struct {
  * each of its poses. The search covers the engines of the request, all numbers of cores, and every
  * II for which gates are known. Object engines and cores are tried with and without extents.
  *
- * The function fails with NONE_FITS if no design is fast enough. The error then names the time of
- * the fastest design, or a time that no design can beat, and *sized has this time in `cycles` and
- * `seconds`. After other errors *sized is 0. */
+ * The function fails with the error of the smallest design if `plan` refuses all that are fast
+ * enough; *sized then has the cycles of this design. It fails with NONE_FITS if no design is fast
+ * enough. The error then names the time of the fastest design, or a time that no design can beat,
+ * and *sized has this time in `cycles` and `seconds`. After other errors *sized is 0. */
 bool sepax_size_design(sepax_sized_design *sized, const sepax_size *size,
                        const sepax_size_request *request, sepax_error *error);
 

@@ -90,23 +90,65 @@ static int by_cycles(const void *p, const void *q) {
                                 : by_gates(q, p);
 }
 
-/* The smallest design that takes at most `limit` cycles in every pose. If there is none, then
- * best->config.word is 0. Poses that were slow before are tried first. */
+/* What cannot be made. */
+typedef struct {
+  sepax_sized_design design; /* the first; config.word is 0 if there is none */
+  sepax_error why;
+  bool seen[SEPAX_ENGINE_COUNT][SEPAX_II_MAX + 1][2]; /* by engine, II, extents */
+} refusal;
+
+static bool *refusal_of(refusal *refused, const sepax_config *c) {
+  return &refused->seen[sepax__config_engine(c)][c->ii][c->extent_a > 0];
+}
+
+/* Ask whether the design can be made. */
+static bool plan(const candidates *all, sepax_sized_design *m, bool *made, refusal *refused,
+                 sepax_error *error) {
+  sepax_design design;
+  sepax_error why = {0};
+  *made = all->request->plan == NULL;
+  if (*made) {
+    return true;
+  }
+  if (!sepax_design_init(&design, &m->config, error)) {
+    return false;
+  }
+  *made = all->request->plan(&design, &m->gates, &m->gates_error, &why);
+  if (!*made && why.code != SEPAX_ERROR_ARGUMENT) {
+    *error = why;
+    return false;
+  }
+  if (!*made && refused->design.config.word == 0) {
+    refused->design = *m;
+    refused->why = why;
+  }
+  *refusal_of(refused, &m->config) = !*made;
+  return true;
+}
+
+/* The smallest design that takes at most `limit` cycles in every pose and can be made. If there is
+ * none, then best->config.word is 0, and *refused has the smallest that cannot be made. Poses that
+ * were slow before are tried first. */
 static bool find_cheapest(candidates *all, uint64_t limit, sepax_sized_design *best,
-                          sepax_error *error) {
+                          refusal *refused, sepax_error *error) {
   size_t pose[SEPAX_ENGINE_COUNT] = {0};
+  bool made = false;
   best->config.word = 0;
   qsort(all->design, all->count, sizeof *all->design, by_gates);
   for (size_t n = 0; n < all->count; n++) {
     sepax_sized_design m = all->design[n];
     size_t *worst = &pose[sepax__config_engine(&m.config)];
-    if (m.cycles <= limit && sepax__candidate_kind(&m.config)->poses(all) > 0) {
+    if (!*refusal_of(refused, &m.config) && m.cycles <= limit &&
+        sepax__candidate_kind(&m.config)->poses(all) > 0) {
       m.worst = *worst;
       if (!try_poses(all, &m, limit, error)) {
         return false;
       }
       *worst = m.worst;
-      if (m.cycles <= limit) {
+      if (m.cycles <= limit && !plan(all, &m, &made, refused, error)) {
+        return false;
+      }
+      if (m.cycles <= limit && made) {
         *best = m;
         return true;
       }
@@ -158,11 +200,18 @@ static bool choose(candidates *all, sepax_sized_design *sized, sepax_error *erro
   double period = all->request->clock_ps * 1e-12;
   double limit = all->request->seconds / period * (1 + 1e-9);
   sepax_sized_design best;
-  if (!find_cheapest(all, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, &best, error)) {
+  refusal refused = {.why = {0}};
+  if (!find_cheapest(all, limit < 0x1p63 ? (uint64_t)limit : UINT64_MAX, &best, &refused, error)) {
     return false;
   }
-  if (best.config.word == 0) {
+  if (best.config.word == 0 && refused.design.config.word == 0) {
     return too_slow(all, period, sized, error);
+  }
+  if (best.config.word == 0) {
+    *sized = refused.design;
+    sized->seconds = (double)sized->cycles * period;
+    *error = refused.why;
+    return false;
   }
   best.seconds = (double)best.cycles * period;
   *sized = best;

@@ -2,6 +2,7 @@
 /* command.c - sepax size: measures the scene, finds the smallest design and generates it. */
 #include "command_table.h"
 #include "design/engine_table.h"
+#include "estimate.h"
 #include "generate.h"
 #include "size/parts.h"
 #include "util/error.h"
@@ -46,6 +47,18 @@ static bool read_and_size(const size_options *o, size_answer *answer, sepax_erro
   return ok;
 }
 
+/* The generator's plan of a design that is in time: it may refuse the clock. */
+static bool plan(const sepax_design *design, double *gates, double *gates_error,
+                 sepax_error *error) {
+  sepax_estimate e;
+  bool ok = sepax_estimate_design(design, &e, error);
+  if (ok && e.gates_known) {
+    *gates = e.gates;
+    *gates_error = e.gates_error;
+  }
+  return ok;
+}
+
 static bool design_of(sepax_sized_design *best, const size_options *o, const size_answer *answer,
                       const sepax_size_request *request, sepax_error *error) {
   return o->is_scene ? sepax_size_pairs(best, answer->size, answer->pairs, request, error)
@@ -67,11 +80,13 @@ static bool choose(const size_options *o, size_answer *answer, sepax_error *erro
   for (int n = 0; n < SEPAX_ENGINE_COUNT; n++) {
     size_best *k = &answer->with[n];
     sepax_size_request request = o->request;
+    request.plan = plan;
     k->asked = size_engines[n].name != NULL && size_engines[n].ask(&request, o, answer);
     k->in_time = k->asked && design_of(&k->best, o, answer, &request, error);
     if (k->asked && !k->in_time && k->best.cycles == 0) {
       return false;
     }
+    k->refused = k->asked && !k->in_time && error->code == SEPAX_ERROR_ARGUMENT;
     if (k->asked && !k->in_time && k->best.cycles < fewest) {
       fewest = k->best.cycles;
       why = *error;

@@ -50,6 +50,8 @@ static void print_engines(const size_answer *answer) {
       printf("%-*s%-16s%8.1fK %9.0f %11.4g %11.4g %6zu\n", WIDTH, "", engine->name, m->gates / 1000,
              (double)sepax_memory_bits(&m->config) / 1000, 1e3 * m->seconds, 1e3 * period * m->mean,
              worst_of(answer, m->worst));
+    } else if (k->refused) {
+      printf("%-*s%-16snone: the clock is too short\n", WIDTH, "", engine->name);
     } else if (k->asked) {
       printf("%-*s%-16snone in time: %.4g ms or more\n", WIDTH, "", engine->name, 1e3 * m->seconds);
     } else if (engine->walks_trees && answer->size->trees == NULL) {
@@ -64,8 +66,8 @@ static void print_design(const size_answer *answer) {
   double kbit = (double)sepax_memory_bits(c) / 1000;
   printf("design     exact, II = %d, ", c->ii);
   size_engine_of(m)->print(c, kbit);
-  printf("gates      %.1fK +- %.1fK GE (formula for Nangate45 at 2 ns%s)\n", m->gates / 1000,
-         m->gates_error / 1000, m->fitted ? "" : ", NOT fitted to designs like this one");
+  printf("gates      %.1fK +- %.1fK GE (formula for Nangate45, typical)\n", m->gates / 1000,
+         m->gates_error / 1000);
 }
 
 static void print_basis(const size_options *o, const sepax_sized_design *m) {
@@ -181,12 +183,11 @@ static json_t *design_json(const size_answer *answer, const sepax_sized_design *
   const sepax_config *c = &m->config;
   snprintf(command, sizeof command, "sepax gen %s", sepax_config_text(c, text, sizeof text));
   json_t *design = json_pack(
-      "{s:s, s:i, s:b, s:i, s:b, s:i, s:I, s:f, s:f, s:b, s:I, s:f, s:b, s:s}", "arch",
+      "{s:s, s:i, s:b, s:i, s:b, s:i, s:I, s:f, s:f, s:I, s:f, s:b, s:s}", "arch",
       sepax_arch_name(c->arch), "ii", c->ii, "extents", c->extent_a > 0, "lanes", c->lanes, "tree",
       c->tree, "cores", c->cores, "memory_bits", (json_int_t)sepax_memory_bits(c), "ge", m->gates,
-      "ge_error", m->gates_error, "ge_fitted", m->fitted, "cycles", (json_int_t)m->cycles,
-      "seconds", m->seconds, "is_bound",
-      answer->size->poses == 0 && !size_engine_of(m)->walks_trees, "command", command);
+      "ge_error", m->gates_error, "cycles", (json_int_t)m->cycles, "seconds", m->seconds,
+      "is_bound", answer->size->poses == 0 && !size_engine_of(m)->walks_trees, "command", command);
   if (answer->size->path > 0) {
     json_object_set_new(design, "mean_cycles", json_real(m->mean));
     json_object_set_new(design, answer->each != NULL ? "worst_line" : "worst_pose",
@@ -203,7 +204,7 @@ static json_t *engines_json(const size_answer *answer) {
       json_t *of = json_pack("{s:s, s:b}", "kind", size_engines[n].name, "in_time", k->in_time);
       if (k->in_time) {
         json_object_set_new(of, "design", design_json(answer, &k->best));
-      } else {
+      } else if (!k->refused) {
         json_object_set_new(of, "seconds_at_least", json_real(k->best.seconds));
       }
       json_array_append_new(list, of);

@@ -26,6 +26,7 @@ typedef struct {
 /* The best design with one engine. */
 typedef struct {
   bool asked, in_time;
+  bool refused; /* designs are in time, but none can be made for the clock */
   sepax_sized_design
       best; /* if none is in time: cycles and seconds that no design of the engine can beat */
 } size_best;
