@@ -103,9 +103,9 @@ mesh mesh_read(const char *file, const char *bytes, size_t length) {
   if (length > 4 && memcmp(bytes, "PK\3\4", 4) == 0) {
     m.format = "3MF";
     mesh_3mf(&m, bytes, length);
-  } else if (strncmp(bytes, "ply", 3) == 0 && (bytes[3] == '\n' || bytes[3] == '\r')) {
+  } else if (strncmp(text, "ply", 3) == 0 && text[3] != 0 && strchr(" \t\r\n", text[3]) != NULL) {
     m.format = "PLY";
-    mesh_ply(&m, bytes, length);
+    mesh_ply(&m, text, left);
   } else if (is_binary_stl(bytes, length) || begins(word, "solid")) {
     m.format = "STL";
     mesh_stl(&m, is_binary_stl(bytes, length) ? bytes : text,

@@ -44,6 +44,7 @@ typedef struct {
   struct {
     size_t end;
     bool strip;
+    bool last; /* of its row */
   } * list;
   size_t lists;
 } ply;
@@ -210,9 +211,10 @@ static bool is_indices(const property *of) {
   return strcmp(of->name, "vertex_indices") == 0 || strcmp(of->name, "vertex_index") == 0;
 }
 
-static void end_list(ply *p, bool strip) {
+static void end_list(ply *p, bool strip, bool last) {
   GROW(p->list, p->lists);
   p->list[p->lists].end = p->indices;
+  p->list[p->lists].last = last;
   p->list[p->lists++].strip = strip;
 }
 
@@ -228,14 +230,14 @@ static void read_list(ply *p, const element *e, bool strips) {
     for (size_t k = 0; k < count; k++) {
       const long double value = next_number(p, of->value, true);
       if (strips && value == -1) {
-        end_list(p, true);
+        end_list(p, true, false);
         continue;
       }
       GROW(p->index, p->indices);
       p->index[p->indices++] =
           value == floorl(value) && fabsl(value) < 1e15L ? (long long)value : -1;
     }
-    end_list(p, strips);
+    end_list(p, strips, true);
   }
 }
 
@@ -282,6 +284,16 @@ static void read_body(ply *p) {
     cannot("%s: %zu bytes behind the last element", p->m->file, (size_t)(p->end - p->next));
 }
 
+/* A triangle with a corner twice only leads to the next part of a strip. */
+static void make_strip(ply *p, const point *corner, const long long *index, size_t count) {
+  for (size_t n = 2; n < count; n++) {
+    const size_t odd = n % 2;
+    const point three[3] = {corner[n - 2 + odd], corner[n - 1 - odd], corner[n]};
+    if (index[n - 2] != index[n - 1] && index[n - 1] != index[n] && index[n - 2] != index[n])
+      mesh_polygon(p->m, three, 3);
+  }
+}
+
 static void make_faces(ply *p) {
   point *corner = memory(NULL, p->indices, sizeof *corner);
   for (size_t n = 0; n < p->indices; n++) {
@@ -293,7 +305,8 @@ static void make_faces(ply *p) {
   for (size_t n = 0; n < p->lists; n++) {
     const size_t count = p->list[n].end - from;
     if (p->list[n].strip) {
-      p->m->faces += mesh_strip(p->m, corner + from, count);
+      make_strip(p, corner + from, p->index + from, count);
+      p->m->faces += p->list[n].last;
     } else if (count < 3) {
       cannot("%s: a face of %zu corners", p->m->file, count);
     } else {

@@ -12,6 +12,7 @@
 #define CORE "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 #define PRODUCTION "http://schemas.microsoft.com/3dmanufacturing/production/2015/06"
 #define MATERIALS "http://schemas.microsoft.com/3dmanufacturing/material/2015/02"
+#define SETS "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07"
 #define MODEL_TYPE "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
 #define RELATIONSHIPS "http://schemas.openxmlformats.org/package/2006/relationships"
 
@@ -106,7 +107,7 @@ static long whole_of(const package3 *p, const xmlNode *node, const char *name) {
 /* ------------------------------------------------------------------- the parts */
 
 static bool is_known(const char *space) {
-  static const char *const known[] = {CORE, PRODUCTION, MATERIALS};
+  static const char *const known[] = {CORE, PRODUCTION, MATERIALS, SETS};
   for (size_t n = 0; space != NULL && n < sizeof known / sizeof *known; n++) {
     if (strcmp(space, known[n]) == 0)
       return true;
