@@ -86,7 +86,10 @@ CASE(polygons) {
   assert_int_equal(account.bent, 1);
 }
 
-/* What is behind a slash may be left out, or be of nothing. */
+static bool same_point(const double p[3], const double q[3]) {
+  return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
 /* Of a polygon that is there twice, from another corner on or the other way round, each triangle is
  * there twice. */
 static void assert_pairs(void) {
@@ -95,7 +98,7 @@ static void assert_pairs(void) {
     for (size_t k = 0; k < soup.count; k++) {
       size_t common = 0;
       for (int i = 0; i < 9; i++) {
-        common += memcmp(soup.facet[n].v[i / 3], soup.facet[k].v[i % 3], sizeof(double[3])) == 0;
+        common += same_point(soup.facet[n].v[i / 3], soup.facet[k].v[i % 3]);
       }
       equal += common == 3;
     }
@@ -135,6 +138,7 @@ CASE(both_sides) {
   assert_pairs();
 }
 
+/* The numbers behind a slash may be left out, or be of nothing. */
 CASE(corners_of_nothing) {
   read_text(VERTICES "f 1/ 2// 3/\n", 1, 1);
   assert_int_equal(account.others, 0);
