@@ -107,6 +107,20 @@ static void put_speed(const emitter *e, page *p) {
   }
 }
 
+/* Faults of Yosys 0.23, which make a wrong netlist (docs/developers/results/fpga.md). */
+static void put_faults(const sepax_config *c, page *p) {
+  if (c->target == SEPAX_TARGET_XC7 || c->target == SEPAX_TARGET_XCUP) {
+    page_text(p,
+              "If you use Yosys, give `synth_xilinx -nosrl`: Yosys 0.23 loses the clock enable of "
+              "shift registers, and the netlist then gives wrong verdicts.");
+  } else if (c->target == SEPAX_TARGET_GOWIN) {
+    page_text(p,
+              "If you use Yosys, run `proc` and `techmap -map synth/fpga/cells/compare.v` of sepax "
+              "before `synth_gowin`: Yosys 0.23 maps comparisons wrongly, and the netlist then "
+              "gives wrong verdicts.");
+  }
+}
+
 static void put_costs(const emitter *e, const sheet_costs *costs, page *p) {
   static const char *const workloads[SHEET_ENERGIES] = {"separated", "colliding", "coplanar"};
   page_section(p, "Cost");
@@ -114,6 +128,7 @@ static void put_costs(const emitter *e, const sheet_costs *costs, page *p) {
     page_text(p, e->design->config.arch != SEPAX_ARCH_EXACT
                      ? "sepax predicts no gates for this architecture."
                      : "sepax predicts no cells for FPGAs: run synthesis.");
+    put_faults(&e->design->config, p);
   } else {
     page_text(p, "Predicted, not measured: by formulas that were fitted to designs in Nangate45, "
                  "typical corner. The error is the interval of the prediction. GE: 2-input NAND "
