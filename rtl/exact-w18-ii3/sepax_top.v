@@ -20,8 +20,8 @@
 module sepax_top (
   input  wire            clk,      // clock
   input  wire            rst,      // synchronous reset of the control, active high
-  input  wire            in_valid, // a pair is here
-  output wire            in_ready, // it is taken in this cycle
+  input  wire            in_valid, // a pair is on the inputs
+  output wire            in_ready, // the core takes a pair in this cycle
   input  wire signed [17:0] in_a1_x, // x of A_1, -131072 ... 131071
   input  wire signed [17:0] in_a1_y, // y of A_1, -131072 ... 131071
   input  wire signed [17:0] in_a1_z, // z of A_1, -131072 ... 131071
@@ -40,11 +40,11 @@ module sepax_top (
   input  wire signed [17:0] in_b3_x, // x of B_3, -131072 ... 131071
   input  wire signed [17:0] in_b3_y, // y of B_3, -131072 ... 131071
   input  wire signed [17:0] in_b3_z, // z of B_3, -131072 ... 131071
-  output wire            out_valid,     // a verdict is here
-  input  wire            out_ready,     // it is taken in this cycle
+  output wire            out_valid,     // a verdict is on the outputs
+  input  wire            out_ready,     // the verdict is taken in this cycle
   output wire            out_collision, // 1: the triangles share a point
   output wire            out_coplanar,  // 1: all six points are in one plane
-  output wire [3:0]      out_axis       // what separates, 0: nothing
+  output wire [3:0]      out_axis       // number of the axis that separates; 0: none
 );
   localparam W = 18; // bits of a coordinate
   wire [18*W-1:0] in_pair = { // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z

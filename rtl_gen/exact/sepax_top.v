@@ -11,8 +11,9 @@
 // @core_word@ bits of @word@ are enough.
 //@ end
 //@ if limits
-// With a clearance: free means that the distance of the real triangles, of which each coordinate is
-// within 1/2, is above that; else the band says what is not proved.
+// out_band is proved for the real triangles. Each of their coordinates may differ by 1/2 LSB from
+// the coordinate on the port. 0: they are farther apart than @free_from@ LSB. 2: not proved to be
+// farther apart than @collision_to@ LSB.@between@
 //@ end
 // Coplanar pairs are called collisions, undecided, and flagged. //@ flag
 //@ if passes
@@ -29,8 +30,8 @@
 module sepax_top (
   input  wire            clk,      // clock
   input  wire            rst,      // synchronous reset of the control, active high
-  input  wire            in_valid, // a pair is here
-  output wire            in_ready, // it is taken in this cycle
+  input  wire            in_valid, // a pair is on the inputs
+  output wire            in_ready, // the core takes a pair in this cycle
   input  wire signed [@msb@:0] in_a1_x, // x of A_1, @least@ ... @most@
   input  wire signed [@msb@:0] in_a1_y, // y of A_1, @least@ ... @most@
   input  wire signed [@msb@:0] in_a1_z, // z of A_1, @least@ ... @most@
@@ -49,13 +50,13 @@ module sepax_top (
   input  wire signed [@msb@:0] in_b3_x, // x of B_3, @least@ ... @most@
   input  wire signed [@msb@:0] in_b3_y, // y of B_3, @least@ ... @most@
   input  wire signed [@msb@:0] in_b3_z, // z of B_3, @least@ ... @most@
-  output wire            out_valid,     // a verdict is here
-  input  wire            out_ready,     // it is taken in this cycle
+  output wire            out_valid,     // a verdict is on the outputs
+  input  wire            out_ready,     // the verdict is taken in this cycle
   output wire            out_collision, // 1: @collision_about@
   output wire            out_coplanar,  // 1: all six points are in one plane
   output wire            out_of_range,  // 1: an AABB exceeds its extent; undecided //@ extents
   output wire [1:0]      out_band,      // 0 free, 1 warning, 2 collision //@ limits
-  output wire [3:0]      out_axis       // what @axis_about@, 0: nothing
+  output wire [3:0]      out_axis       // number of the axis that @axis_about@; 0: none
 );
   localparam W = @word@; // bits of a coordinate
   wire [18*W-1:0] in_pair = { // x of A_1 (lowest) ... A_3, B_1 ... B_3, then y, then z

@@ -61,6 +61,9 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"registered_ready", engine_registers_ready(c)},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about", "%s", collision_about(c, p->limits > 0));
+  emit_hole_set(h, "collision_to", "%lld", (long long)design->margin[0] - 1);
+  emit_hole_set(h, "free_from", "%lld", (long long)design->margin[1] - 1);
+  emit_hole_set(h, "between", p->limits > 1 ? " 1: in between." : "");
   emit_hole_set(h, "axis_about", p->limits > 0 ? "proves the band" : "separates");
   emit_hole_set(h, "axis_12",
                 p->limits > 0 ? "normal to an edge"

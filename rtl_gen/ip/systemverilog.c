@@ -8,12 +8,12 @@
 static const struct {
   const char *prefix, *name, *about;
 } groups[] = {
-    {"in_", "pair", "what comes: pairs of triangles"},
-    {"out_", "verdict", "what leaves: verdicts"},
+    {"in_", "pair", "Pairs of triangles, which the user sends"},
+    {"out_", "verdict", "Verdicts, which the user takes"},
     {"s_axi_", "s_axi", "AXI4-Lite: registers"},
     {"m_axi_", "m_axi", "AXI4: memory"},
-    {"s_axis_", "s_axis", "AXI4-Stream: what comes"},
-    {"m_axis_", "m_axis", "AXI4-Stream: what leaves"},
+    {"s_axis_", "s_axis", "AXI4-Stream into the design"},
+    {"m_axis_", "m_axis", "AXI4-Stream out of the design"},
 };
 enum { GROUPS = sizeof groups / sizeof groups[0] };
 

@@ -10,10 +10,10 @@
 `default_nettype none
 /* verilator lint_off DECLFILENAME */
 
-// what comes: pairs of triangles.
+// Pairs of triangles, which the user sends.
 interface sepax_pair_if;
-  logic valid; // a pair is here
-  logic ready; // it is taken in this cycle
+  logic valid; // a pair is on the inputs
+  logic ready; // the core takes a pair in this cycle
   logic signed [17:0] a1_x; // x of A_1, -131072 ... 131071
   logic signed [17:0] a1_y; // y of A_1, -131072 ... 131071
   logic signed [17:0] a1_z; // z of A_1, -131072 ... 131071
@@ -78,13 +78,13 @@ interface sepax_pair_if;
   );
 endinterface
 
-// what leaves: verdicts.
+// Verdicts, which the user takes.
 interface sepax_verdict_if;
-  logic valid; // a verdict is here
-  logic ready; // it is taken in this cycle
+  logic valid; // a verdict is on the outputs
+  logic ready; // the verdict is taken in this cycle
   logic collision; // 1: the triangles share a point
   logic coplanar; // 1: all six points are in one plane
-  logic [3:0] axis; // what separates, 0: nothing
+  logic [3:0] axis; // number of the axis that separates; 0: none
   modport core (
     output valid,
     input ready,

@@ -19,8 +19,8 @@ package sepax_pkg is
     port (
       clk           : in  std_logic; -- clock
       rst           : in  std_logic; -- synchronous reset of the control, active high
-      in_valid      : in  std_logic; -- a pair is here
-      in_ready      : out std_logic; -- it is taken in this cycle
+      in_valid      : in  std_logic; -- a pair is on the inputs
+      in_ready      : out std_logic; -- the core takes a pair in this cycle
       in_a1_x       : in  std_logic_vector(17 downto 0); -- signed: x of A_1, -131072 ... 131071
       in_a1_y       : in  std_logic_vector(17 downto 0); -- signed: y of A_1, -131072 ... 131071
       in_a1_z       : in  std_logic_vector(17 downto 0); -- signed: z of A_1, -131072 ... 131071
@@ -39,11 +39,11 @@ package sepax_pkg is
       in_b3_x       : in  std_logic_vector(17 downto 0); -- signed: x of B_3, -131072 ... 131071
       in_b3_y       : in  std_logic_vector(17 downto 0); -- signed: y of B_3, -131072 ... 131071
       in_b3_z       : in  std_logic_vector(17 downto 0); -- signed: z of B_3, -131072 ... 131071
-      out_valid     : out std_logic; -- a verdict is here
-      out_ready     : in  std_logic; -- it is taken in this cycle
+      out_valid     : out std_logic; -- a verdict is on the outputs
+      out_ready     : in  std_logic; -- the verdict is taken in this cycle
       out_collision : out std_logic; -- 1: the triangles share a point
       out_coplanar  : out std_logic; -- 1: all six points are in one plane
-      out_axis      : out std_logic_vector(3 downto 0) -- what separates, 0: nothing
+      out_axis      : out std_logic_vector(3 downto 0) -- number of the axis that separates; 0: none
     );
   end component;
 

@@ -11,7 +11,7 @@
 `default_nettype none
 /* verilator lint_off DECLFILENAME */
 
-// what comes: pairs of triangles.
+// Pairs of triangles, which the user sends.
 interface sepax_pair_if;
   logic valid; // an input word is here; three make a pair
   logic signed [17:0] a_x; // x of vertex A_k in word k, -131072 ... 131071
@@ -46,7 +46,7 @@ interface sepax_pair_if;
   );
 endinterface
 
-// what leaves: verdicts.
+// Verdicts, which the user takes.
 interface sepax_verdict_if;
   logic valid; // a verdict is here
   logic collision; // 1: no separating axis was found
