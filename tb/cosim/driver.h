@@ -303,7 +303,9 @@ private:
   static uint64_t latency_of(const Outstanding &e) {
 #ifdef SEPAX_LATENCY_SECOND_PASS
     if (e.verdict.coplanar) {
-      const auto at = [&](int point, int axis) { return coordinate(e.pair, 3 * point + axis); };
+      const auto at = [&](int point, int axis) -> int64_t { // differences have 33 bits
+        return coordinate(e.pair, 3 * point + axis);
+      };
       int64_t x = 0, y = 0; // from the first point to another one
       for (int k = 1; k < 6 && x == 0 && y == 0; k++) {
         x = at(k, 0) - at(0, 0);
