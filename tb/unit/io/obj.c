@@ -125,6 +125,25 @@ CASE(both_sides) {
   /* Concave; with another polygon between. */
   read_text("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 0 1 0\nf 1 2 3 4 5\nf 2 1 5 4 3\n", 2, 6);
   assert_pairs();
+  /* From each corner on, both ways: backwards another ear could be cut first. */
+  for (size_t corners = 6; corners <= 12; corners += 2) {
+    for (size_t turn = 0; turn < 2 * corners; turn++) {
+      char twice[1000] = "";
+      for (size_t n = 0; n < corners; n++) {
+        double angle = 6.2831853 * (double)n / (double)corners;
+        double radius = n % 2 == 0 ? 1 : 0.4 + 0.05 * (double)n; /* concave */
+        snprintf(twice + strlen(twice), 60, "v %.6f %.6f 0\n", radius * cos(angle),
+                 radius * sin(angle));
+      }
+      for (size_t n = 0; n < 2 * corners; n++) {
+        size_t other = turn % 2 == 0 ? n + turn / 2 : 2 * corners - n + turn / 2;
+        snprintf(twice + strlen(twice), 30, "%s%zu%s", n % corners == 0 ? "f " : " ",
+                 (n < corners ? n : other) % corners + 1, n % corners == corners - 1 ? "\n" : "");
+      }
+      read_text(twice, 2, 2 * (corners - 2));
+      assert_pairs();
+    }
+  }
   char many[4000] = "";
   for (int n = 0; n < 100; n++) {
     snprintf(many + strlen(many), 40, "v %d 0 0\nv %d 1 0\n", n, n);
