@@ -146,6 +146,26 @@ CASE(equal_triangles_inside) {
   sepax_soup_free(&m);
 }
 
+/* A tetrahedron whose faces are there three times, as a cavity of another one with which it shares
+ * an edge. Half of three triangles is no reading, or the cavity would be material. */
+CASE(three_equal_triangles) {
+  static const double p[6][3] = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {1, 2, 1}, {1, 1, 2}};
+  static const int face[8][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2},
+                                 {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {0, 5, 4}};
+  sepax_soup m = {0};
+  for (int n = 0; n < 8; n++) {
+    add_triangle(&m, p[face[n][0]], p[face[n][1]], p[face[n][2]]);
+  }
+  for (size_t n = 4; n < 12; n++) { /* of the inner faces one as the outer ones, two turned */
+    double v[3][3];
+    memcpy(v, m.facet[4 + n % 4].v, sizeof v);
+    add_triangle(&m, v[0], v[2], v[1]);
+  }
+  assert_small(&m, 2.5, 0.75, 0.75, true, true, SEPAX_OUTSIDE);
+  assert_small(&m, 2, 3, 0.5, true, true, SEPAX_INSIDE);
+  sepax_soup_free(&m);
+}
+
 /* Two blocks with a common side, as solids of their own: this side is there twice, and the outside
  * is outside. With both sides of each face, too; but one face alone is no solid. */
 CASE(equal_triangles_between) {
