@@ -5,8 +5,8 @@
 
 #include "sepax.h"
 
-/* Readings of a part with equal triangles: with all of them; with one of each; with half of each.
- */
+/* A part may have equal triangles. It is then read with all of them, with one of each, and with
+ * half of each. */
 enum { SOLID_ALL = 1, SOLID_ONE = 2, SOLID_HALF = 4, SOLID_READINGS = 7 };
 
 typedef struct {
@@ -14,7 +14,8 @@ typedef struct {
   double low[3], high[3]; /* its AABB */
   bool consistent;
   bool open;        /* it has an open edge */
-  uint8_t readings; /* in which the part is closed, and which differ */
+  uint8_t readings; /* SOLID_ALL, and of the others those that leave triangles out and in which the
+                       part is closed */
   uint32_t piece;   /* number of its piece; parts with common points have the same */
 } solid_part;
 
