@@ -126,21 +126,21 @@ CASE(both_sides) {
   read_text("v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 0 1 0\nf 1 2 3 4 5\nf 2 1 5 4 3\n", 2, 6);
   assert_pairs();
   /* From each corner on, both ways: backwards another ear could be cut first. */
-  for (size_t corners = 6; corners <= 12; corners += 2) {
-    for (size_t turn = 0; turn < 2 * corners; turn++) {
+  for (size_t count = 6; count <= 12; count += 2) {
+    for (size_t turn = 0; turn < 2 * count; turn++) {
       char twice[1000] = "";
-      for (size_t n = 0; n < corners; n++) {
-        double angle = 6.2831853 * (double)n / (double)corners;
+      for (size_t n = 0; n < count; n++) {
+        double angle = 6.2831853 * (double)n / (double)count;
         double radius = n % 2 == 0 ? 1 : 0.4 + 0.05 * (double)n; /* concave */
         snprintf(twice + strlen(twice), 60, "v %.6f %.6f 0\n", radius * cos(angle),
                  radius * sin(angle));
       }
-      for (size_t n = 0; n < 2 * corners; n++) {
-        size_t other = turn % 2 == 0 ? n + turn / 2 : 2 * corners - n + turn / 2;
-        snprintf(twice + strlen(twice), 30, "%s%zu%s", n % corners == 0 ? "f " : " ",
-                 (n < corners ? n : other) % corners + 1, n % corners == corners - 1 ? "\n" : "");
+      for (size_t n = 0; n < 2 * count; n++) {
+        size_t other = turn % 2 == 0 ? n + turn / 2 : 2 * count - n + turn / 2;
+        snprintf(twice + strlen(twice), 30, "%s%zu%s", n % count == 0 ? "f " : " ",
+                 (n < count ? n : other) % count + 1, n % count == count - 1 ? "\n" : "");
       }
-      read_text(twice, 2, 2 * (corners - 2));
+      read_text(twice, 2, 2 * (count - 2));
       assert_pairs();
     }
   }
