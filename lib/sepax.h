@@ -576,15 +576,17 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * A point is inside a closed part if a ray from the point meets the part an odd number of times. If
  * the triangles of the part are consistent, then a point is also inside if the number of times that
  * the ray leaves the part differs from the number of times that it enters the part. This second
- * rule matters for a part that crosses itself. If a part has equal triangles (of the same vertices)
- * and is also closed with one of each, or with half of each, then a point is also inside if this
- * holds with these triangles alone. This third rule matters for files that have both sides of each
- * face. If the rules answer differently, then a body that is inside by one of them is inside. A
- * point is inside a piece if it is inside one of its parts. A point is inside the solid if it is
- * inside an odd number of pieces. So a piece inside another piece is a cavity, and a piece inside
- * the cavity is material again. Overlapping parts form one piece, so a point inside one of these
- * parts is inside the piece. All these rules also hold for a part that is inside out and for a part
- * with triangles that are turned round.
+ * rule matters for a part that crosses itself. If a part has sheets of triangles with the same
+ * boundary, and is also closed with one of each, or with half of each, then a point is also inside
+ * if this holds with these triangles alone. A sheet is what hangs together by edges of exactly two
+ * triangles; two triangles of the same three vertices are two sheets. This third rule matters for
+ * files that have both sides of each face, however each side is divided. If the rules answer
+ * differently, then a body that is inside by one of them is inside. A point is inside a piece if it
+ * is inside one of its parts. A point is inside the solid if it is inside an odd number of pieces.
+ * So a piece inside another piece is a cavity, and a piece inside the cavity is material again.
+ * Overlapping parts form one piece, so a point inside one of these parts is inside the piece. All
+ * these rules also hold for a part that is inside out and for a part with triangles that are turned
+ * round.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */

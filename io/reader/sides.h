@@ -2,7 +2,7 @@
 /* sides.h - finds polygons that a file has twice, such as both sides of a face (private).
  *
  * A polygon with four or more corners can be divided into triangles in several ways. If the two
- * sides of a face were divided in different ways, then their triangles would not be equal, and
+ * sides of a face were divided in different ways, and a vertex was in the middle of an edge, then
  * nothing could tell that the two enclose a solid. So a polygon with the same corners as an earlier
  * one is divided in the order of the corners of the earlier one. */
 #ifndef SEPAX_SIDES_H

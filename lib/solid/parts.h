@@ -5,8 +5,8 @@
 
 #include "sepax.h"
 
-/* A part may have equal triangles. It is then read with all of them, with one of each, and with
- * half of each. */
+/* A part may have copies of sheets (copies.c). It is then read with all of them, with one of each,
+ * and with half of each. */
 enum { SOLID_ALL = 1, SOLID_ONE = 2, SOLID_HALF = 4, SOLID_READINGS = 7 };
 
 typedef struct {

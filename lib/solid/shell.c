@@ -11,48 +11,17 @@
  * neighbours have numbers near each other. Each edge is then listed at the lower of its two
  * numbers, by counting, and these short lists are sorted. */
 #include "body/body.h"
-#include "body/orient.h"
 #include "parts.h"
+#include "surface.h"
+#include "util/error.h"
 #include "util/hash.h"
 #include "util/memory.h"
-#include "util/error.h"
-#include "util/list.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* Numbers fit 31 bits: with an edge's direction, 32. */
 enum { MOST_TRIANGLES = INT32_MAX / 3 };
-
-typedef struct {
-  uint32_t tag, number; /* tag of the hash; number of the vertex + 1, 0: free */
-} slot;
-
-/* An end of an edge of an odd number of triangles. */
-typedef struct {
-  uint32_t at, other; /* vertices */
-  uint32_t triangle;
-  int32_t away; /* how many more triangles run from `at` to `other` than back */
-} edge_end;
-
-typedef struct {
-  size_t count;          /* number of triangles */
-  uint32_t (*corner)[3]; /* the vertices of a triangle */
-  double (*vertex)[3];
-  size_t vertices, capacity;
-  slot *slot;
-  size_t mask;     /* slots - 1 */
-  uint32_t *begin; /* begin of each vertex's list */
-  uint64_t *edge;  /* high half: 2 * other vertex, + 1 if the edge runs to the lower number; low
-                      half: the triangle */
-  bool *turned;    /* marks one triangle at each edge that is not consistent */
-  bool *open;      /* marks one triangle at each open edge */
-  uint8_t *copy;   /* the readings that leave out the triangle */
-  uint8_t *broken; /* the readings in which an edge of the triangle is open */
-  edge_end *odd;
-  size_t odds, odd_capacity;
-  uint32_t *parent; /* another triangle of the same part; the first of a part has itself */
-} surface;
 
 /* ---------------------------------------------------------------------- vertices */
 
@@ -197,175 +166,54 @@ static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *
   shell->consistent = shell->consistent && !uneven;
 }
 
-/* Triangles that are compared with each other at one edge. */
-enum { MOST_COPIES = 64 };
-
-static uint32_t third_vertex(const surface *s, uint32_t triangle, uint32_t p, uint32_t q) {
-  for (int k = 0; k < 3; k++) {
-    uint32_t v = s->corner[triangle][k];
-    if (v != p && v != q) {
-      return v;
-    }
+/* Judge the triangles at one edge. Those of an odd number are left to judge_ends. */
+static bool judge_edge(surface *s, const edge_uses *at, edge_ends *ends, sepax_shell *shell) {
+  int32_t turn = 0;
+  uint32_t first = triangle_at(at->edge);
+  for (size_t n = 0; n < at->count; n++) {
+    turn += runs_down(at->edge + n) ? 1 : -1;
+    join(s->parent, first, triangle_at(at->edge + n));
   }
-  return p; /* it has no area */
-}
-
-/* Mark equal triangles that a reading of the part leaves out, and an edge that is open in it. Each
- * triangle is looked at where its two lowest vertices are. */
-static void find_copies(const surface *s, const uint64_t *edge, size_t count, uint32_t p) {
-  uint32_t q = (uint32_t)(edge[0] >> 33);
-  uint32_t third[MOST_COPIES];
-  size_t left[2] = {0};
-  bool halves = true;
-  if (count > MOST_COPIES) {
-    s->broken[(uint32_t)edge[0]] |= SOLID_ONE | SOLID_HALF;
-    return;
+  s->crowded = s->crowded || at->count > 2;
+  const edge_end end = {at->from, other_vertex(at->edge), first, -turn, SOLID_ALL};
+  if (at->count % 2 != 0) {
+    return sepax__add_ends(ends, end);
   }
-  for (size_t n = 0; n < count; n++) {
-    third[n] = third_vertex(s, (uint32_t)edge[n], p, q);
-  }
-  for (size_t n = 0; n < count; n++) {
-    size_t before = 0;
-    size_t equal = 0;
-    if (third[n] == p) {
-      continue; /* it has the edge twice */
-    }
-    for (size_t k = 0; k < count; k++) {
-      equal += third[k] == third[n];
-      before += k < n && third[k] == third[n];
-    }
-    halves = halves && equal % 2 == 0;
-    left[0] += before == 0;
-    left[1] += before % 2 == 0;
-    if (third[n] > q) {
-      s->copy[(uint32_t)edge[n]] =
-          (before > 0 ? SOLID_ONE : 0) | (before % 2 != 0 ? SOLID_HALF : 0);
-    }
-  }
-  s->broken[(uint32_t)edge[0]] |=
-      (left[0] % 2 != 0 ? SOLID_ONE : 0) | (!halves || left[1] % 2 != 0 ? SOLID_HALF : 0);
-}
-
-/* Judge the triangles at one edge with the vertices p and edge[...] >> 33. */
-static bool judge_edge(surface *s, const uint64_t *edge, size_t count, uint32_t p,
-                       sepax_shell *shell) {
-  int64_t turn = 0;
-  for (size_t n = 0; n < count; n++) {
-    turn += (edge[n] >> 32 & 1) != 0 ? 1 : -1;
-    join(s->parent, (uint32_t)edge[0], (uint32_t)edge[n]);
-  }
-  find_copies(s, edge, count, p);
-  edge_end end = {p, (uint32_t)(edge[0] >> 33), (uint32_t)edge[0], -(int32_t)turn};
-  if (count % 2 == 0) {
-    judge_sum(s, false, turn, &end, shell);
-    return true;
-  }
-  for (int k = 0; k < 2; k++) {
-    edge_end *grown = list_grow(s->odd, &s->odd_capacity, s->odds, sizeof *grown);
-    if (grown == NULL) {
-      return false;
-    }
-    s->odd = grown;
-    s->odd[s->odds++] = end;
-    end = (edge_end){end.other, end.at, end.triangle, -end.away};
-  }
+  judge_sum(s, false, turn, &end, shell);
   return true;
 }
 
-static bool judge_edges(surface *s, sepax_shell *shell) {
+static bool judge_edges(surface *s, edge_ends *ends, sepax_shell *shell) {
   for (size_t n = 0; n < s->count; n++) {
     s->parent[n] = (uint32_t)n;
   }
   for (uint32_t p = 0; p < s->vertices; p++) {
-    uint64_t *e = s->edge + s->begin[p];
-    size_t count = s->begin[p + 1] - s->begin[p];
-    sort(e, count);
-    for (size_t first = 0; first < count;) {
-      size_t end = first + 1;
-      while (end < count && e[end] >> 33 == e[first] >> 33) {
-        end++;
-      }
-      if (!judge_edge(s, e + first, end - first, p, shell)) {
-        return false;
-      }
-      first = end;
+    sort(s->edge + s->begin[p], s->begin[p + 1] - s->begin[p]);
+  }
+  for (edge_uses at = {0, s->edge, 0}; next_edge(s, &at);) {
+    if (!judge_edge(s, &at, ends, shell)) {
+      return false;
     }
   }
   return true;
 }
 
-/* --------------------------------------------------------- edges of an odd number */
-
-/* The order of the lines through p and q, p and r, around p: exactly 0 for the same line. A line's
- * direction is taken with its first coordinate that is not 0 positive. */
-static int compare_lines(const double p[3], const double q[3], const double r[3]) {
-  const double *end[2] = {q, r};
-  int first[2];
-  bool back[2];
-  for (int k = 0; k < 2; k++) {
-    first[k] = 0;
-    while (first[k] < 2 && !(end[k][first[k]] < p[first[k]] || end[k][first[k]] > p[first[k]])) {
-      first[k]++;
-    }
-    back[k] = end[k][first[k]] < p[first[k]];
-  }
-  int order = first[1] - first[0];
-  for (int i = first[0] + 1; i < 3 && order == 0; i++) {
-    const double at[2] = {p[first[0]], p[i]};
-    const double to_q[2] = {q[first[0]], q[i]};
-    const double to_r[2] = {r[first[0]], r[i]};
-    order = sepax__orient2d(at, to_q, to_r);
-    order = back[0] != back[1] ? -order : order;
-  }
-  return order;
-}
-
-/* Order ends by their vertices, and at each vertex by lines. */
-static int compare_ends(const surface *s, const edge_end *p, const edge_end *q) {
-  if (p->at != q->at) {
-    return p->at < q->at ? -1 : 1;
-  }
-  return compare_lines(s->vertex[p->at], s->vertex[p->other], s->vertex[q->other]);
-}
-
-/* Sort by merging; `scratch` has space for half of the ends. */
-static void sort_ends(const surface *s, edge_end *end, edge_end *scratch, size_t count) {
-  if (count < 2) {
-    return;
-  }
-  size_t half = count / 2;
-  sort_ends(s, end, scratch, half);
-  sort_ends(s, end + half, scratch, count - half);
-  memcpy(scratch, end, half * sizeof *end);
-  size_t p = 0;
-  size_t q = half;
-  for (size_t n = 0; p < half; n++) {
-    bool lower = q == count || compare_ends(s, &scratch[p], &end[q]) <= 0;
-    end[n] = lower ? scratch[p++] : end[q++];
-  }
-}
-
 /* If the ends on a line do not cancel, then an edge is open. Otherwise their triangles are one
  * part. */
-static bool judge_ends(const surface *s, sepax_shell *shell) {
-  if (s->odds == 0) {
-    return true;
-  }
-  edge_end *scratch = sepax_allocate(s->odds / 2 * sizeof *scratch);
-  if (scratch == NULL) {
+static bool judge_ends(const surface *s, edge_ends *ends, sepax_shell *shell) {
+  if (!sepax__sort_ends(s, ends)) {
     return false;
   }
-  sort_ends(s, s->odd, scratch, s->odds);
-  sepax_release(scratch);
-  for (size_t first = 0; first < s->odds;) {
-    size_t end = first;
+  for (size_t first = 0; first < ends->count;) {
+    const edge_end *end = ends->end + first;
+    size_t count = 0;
     int64_t away = 0;
-    for (; end < s->odds && compare_ends(s, &s->odd[first], &s->odd[end]) == 0; end++) {
-      away += s->odd[end].away;
-      join(s->parent, s->odd[first].triangle, s->odd[end].triangle);
+    for (; first + count < ends->count && sepax__compare_ends(s, end, end + count) == 0; count++) {
+      away += end[count].away;
+      join(s->parent, end->triangle, end[count].triangle);
     }
-    judge_sum(s, (end - first) % 2 != 0, away, &s->odd[first], shell);
-    first = end;
+    judge_sum(s, count % 2 != 0, away, end, shell);
+    first += count;
   }
   return true;
 }
@@ -396,7 +244,10 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
     return false;
   }
   list_edges(s);
-  return judge_edges(s, shell) && judge_ends(s, shell) &&
+  edge_ends ends = {0};
+  bool ok = judge_edges(s, &ends, shell) && judge_ends(s, &ends, shell);
+  sepax_release(ends.end);
+  return ok && sepax__find_copies(s) &&
          sepax__find_parts(shell, s->parent, s->turned, s->open, s->broken, &s->copy);
 }
 
@@ -419,7 +270,6 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.copy);
   sepax_release(s.begin);
   sepax_release(s.edge);
-  sepax_release(s.odd);
   if (!ok) {
     sepax_shell_free(shell);
     return sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for the shell of %zu triangles",

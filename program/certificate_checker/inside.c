@@ -4,6 +4,7 @@
 
 #include "pieces.h"
 #include "report.h"
+#include "sheets.h"
 
 #include <stdint.h>
 #include <stdlib.h>
@@ -14,19 +15,8 @@ typedef struct {
   size_t place; /* 3 triangle + corner */
 } corner;
 
-typedef struct {
-  size_t low, high; /* numbers of vertices, low < high */
-  size_t triangle;
-  bool forward;
-} edge;
-
 static int compare_numbers(double a, double b) { return (a > b) - (a < b); }
 static int compare_sizes(size_t a, size_t b) { return (a > b) - (a < b); }
-
-typedef struct {
-  size_t vertex[3]; /* in rising order */
-  size_t triangle;
-} face;
 
 static int compare_corners(const void *x, const void *y) {
   const corner *a = x;
@@ -42,16 +32,6 @@ static int compare_edges(const void *x, const void *y) {
   const edge *b = y;
   const int order = compare_sizes(a->low, b->low);
   return order != 0 ? order : compare_sizes(a->high, b->high);
-}
-
-static int compare_faces(const void *x, const void *y) {
-  const face *a = x;
-  const face *b = y;
-  for (int k = 0; k < 3; k++) {
-    if (a->vertex[k] != b->vertex[k])
-      return compare_sizes(a->vertex[k], b->vertex[k]);
-  }
-  return compare_sizes(a->triangle, b->triangle);
 }
 
 static size_t root_of(size_t *parent, size_t n) {
@@ -75,36 +55,6 @@ static size_t *welded(const triangle *t, size_t count) {
   }
   free(all);
   return vertex;
-}
-
-static void swap_to_rise(size_t *a, size_t *b) {
-  const size_t low = *a < *b ? *a : *b;
-  *b = *a < *b ? *b : *a;
-  *a = low;
-}
-
-/* Which of equal triangles are left out in each reading. */
-static void leave_out(bool (*out)[READINGS], const size_t *vertex, size_t count) {
-  face *all = memory(NULL, count, sizeof *all);
-  for (size_t n = 0; n < count; n++) {
-    size_t *v = all[n].vertex;
-    memcpy(v, &vertex[3 * n], sizeof all[n].vertex);
-    swap_to_rise(&v[0], &v[1]);
-    swap_to_rise(&v[1], &v[2]);
-    swap_to_rise(&v[0], &v[1]);
-    all[n].triangle = n;
-  }
-  qsort(all, count, sizeof *all, compare_faces);
-  size_t before = 0;
-  for (size_t n = 0; n < count; n++) {
-    const bool equal = n > 0 && memcmp(all[n].vertex, all[n - 1].vertex, sizeof all[n].vertex) == 0;
-    before = equal ? before + 1 : 0;
-    bool *of = out[all[n].triangle];
-    of[0] = false;
-    of[1] = before > 0;
-    of[2] = before % 2 != 0;
-  }
-  free(all);
 }
 
 static double coordinate(vec p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -169,11 +119,17 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
       parent[root_of(parent, edges[n].triangle)] = root_of(parent, edges[n - 1].triangle);
     }
   }
-  leave_out(s->out + first, vertex, count);
+  size_t *before = memory(NULL, count, sizeof *before);
+  sheets_find(before, edges, used, vertex, count);
   bool *twisted = s->turned + first;
   bool(*broken)[READINGS] = s->broken + first;
   memset(twisted, 0, count * sizeof *twisted);
   memset(broken, 0, count * sizeof *broken);
+  for (size_t n = 0; n < count; n++) {
+    s->out[first + n][0] = false;
+    s->out[first + n][1] = before[n] > 0;
+    s->out[first + n][2] = before[n] % 2 != 0;
+  }
   for (size_t n = 0; n < used;) {
     size_t end = n;
     long ways = 0;
@@ -192,6 +148,11 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
       broken[of][k] = broken[of][k] || left[k];
     n = end;
   }
+  /* Copies that are closed in no reading may hide what they enclose. */
+  for (size_t n = 0; n < count; n++) {
+    const size_t of = root_of(parent, n);
+    odd[of] = odd[of] || (before[n] > 0 && broken[of][1] && broken[of][2]);
+  }
   s->consistent[element] = true;
   s->open[element].any = false;
   for (size_t n = 0; n < count; n++) {
@@ -206,6 +167,7 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
   }
   if (!s->body->element[element].hulls) /* their polygons are parts */
     add_parts(s, t, count, parent);
+  free(before);
   free(odd);
   free(parent);
   free(edges);

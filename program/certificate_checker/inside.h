@@ -19,7 +19,7 @@ typedef struct {
   vec low, high;
 } open_box;
 
-/* Readings of parts that have equal triangles, as files with both sides of each face have: all of
+/* Readings of parts that have copies of sheets, as files with both sides of each face have: all of
  * them, one of each, each second one. */
 enum { READINGS = 3 };
 

@@ -130,6 +130,64 @@ CASE(equal_triangles) {
   }
 }
 
+/* Each vertex somewhere else, so that squares are bent; equal ones to the same place. */
+static void bend(sepax_soup *m) {
+  for (size_t n = 0; n < 3 * m->count; n++) {
+    double *v = m->facet[n / 3].v[n % 3];
+    const double from[3] = {v[0], v[1], v[2]};
+    for (int i = 0; i < 3; i++) {
+      v[i] += 0.125 * sin(5 * from[i] + 7 * from[(i + 1) % 3] + 3 * from[(i + 2) % 3] + 1);
+    }
+  }
+}
+
+/* A box with both sides of each face, each side divided in its own way: material. With its vertices
+ * anywhere; one of two such boxes within the other is a cavity. */
+CASE(equal_sheets) {
+  for (int n = 0; n < 60; n++) {
+    const double c[3] = {1, 1, 1};
+    const int cells = 1 + n % 3 % 2;
+    sepax_soup m = {0};
+    add_box(&m, c, 2, cells);
+    add_box(&m, c, 2, cells);
+    for (size_t k = m.count / 2; k < m.count; k++) {
+      turn_round(&m.facet[k]);
+    }
+    if (n % 2 != 0) {
+      bend(&m);
+    }
+    assert_small(&m, 1, 1, 1, true, true, SEPAX_INSIDE);
+    assert_small(&m, 1, 2.5, 0.5, true, true, SEPAX_INSIDE);
+    assert_small(&m, 1, 3.5, 0.5, true, true, SEPAX_OUTSIDE);
+    const size_t outer = m.count;
+    add_box(&m, c, 1, cells);
+    add_box(&m, c, 1, cells);
+    for (size_t k = outer; k < (outer + m.count) / 2; k++) {
+      turn_round(&m.facet[k]);
+    }
+    assert_small(&m, 1, 1, 1, true, true, SEPAX_OUTSIDE);
+    assert_small(&m, 1, 2.5, 0.5, true, true, SEPAX_INSIDE);
+    sepax_soup_free(&m);
+  }
+}
+
+/* Both sides of each face, and vertices in the middle of edges. */
+CASE(equal_triangles_torn) {
+  for (int n = 0; n < 60; n++) {
+    sepax_soup m = {0};
+    const double c[3] = {1, 1, 1};
+    add_box(&m, c, 2, 1 + n % 2);
+    for (int times = n % 7; times > 0; times--) {
+      tear_edge(&m);
+    }
+    add_again(&m, 0, true);
+    assert_small(&m, 1, 1, 1, true, true, SEPAX_INSIDE);
+    assert_small(&m, 1, 2.5, 0.5, true, true, SEPAX_INSIDE);
+    assert_small(&m, 1, 3.5, 0.5, true, true, SEPAX_OUTSIDE);
+    sepax_soup_free(&m);
+  }
+}
+
 /* A cavity that another solid fills is material. A cavity with both sides of each face is none. */
 CASE(equal_triangles_inside) {
   const double hole[2][3] = {{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}};
@@ -146,15 +204,24 @@ CASE(equal_triangles_inside) {
   sepax_soup_free(&m);
 }
 
-/* A tetrahedron whose faces are there three times, as a cavity of another one with which it shares
- * an edge. Half of three triangles is no reading, or the cavity would be material. */
-CASE(three_equal_triangles) {
+/* A tetrahedron as a cavity of another one with which it shares an edge. Its faces are there once
+ * or three times. They are no copy of the outer ones, though both have the edge alone in common;
+ * and half of three triangles is no reading. Otherwise the cavity would be material. */
+CASE(cavity_at_an_edge) {
   static const double p[6][3] = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {1, 2, 1}, {1, 1, 2}};
   static const int face[8][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2},
                                  {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {0, 5, 4}};
   sepax_soup m = {0};
   for (int n = 0; n < 8; n++) {
     add_triangle(&m, p[face[n][0]], p[face[n][1]], p[face[n][2]]);
+  }
+  for (size_t n = 4; n < 8; n++) {
+    turn_round(&m.facet[n]);
+  }
+  assert_small(&m, 2.5, 0.75, 0.75, true, true, SEPAX_OUTSIDE);
+  assert_small(&m, 2, 3, 0.5, true, true, SEPAX_INSIDE);
+  for (size_t n = 4; n < 8; n++) {
+    turn_round(&m.facet[n]);
   }
   for (size_t n = 4; n < 12; n++) { /* of the inner faces one as the outer ones, two turned */
     double v[3][3];
