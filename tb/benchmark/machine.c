@@ -227,13 +227,17 @@ int main(int argc, char **argv) {
   }
   size_t periods = argc > 2 ? (size_t)atoll(argv[2]) : 100000;
   int passes = argc > 3 ? atoi(argv[3]) : 2;
+  if (periods < 1000) {
+    fputs("machine: give 1000 periods or more\n", stderr);
+    return 2;
+  }
   sepax_set_allocator(&counted);
   mill_load(&s, argv[1]);
   for (size_t n = 0; n < s.mill.pairs.count; n++) {
     add_height(&s, n);
   }
   float *time = calloc(periods + 1, sizeof *time);
-  if (time == NULL || periods < 1000) {
+  if (time == NULL) {
     mill_stop("periods", NULL);
     return 2;
   }

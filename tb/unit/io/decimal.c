@@ -39,6 +39,7 @@ static void put_halfway(char text[80]) {
 }
 
 static void put_hard(char text[80], int kind) {
+  char last[16];
   uint64_t bits = next_random();
   double any;
   memcpy(&any, &bits, sizeof any);
@@ -54,8 +55,9 @@ static void put_hard(char text[80], int kind) {
              (unsigned long long)(next_random() % 100000000000U), below(70) - 35);
     break;
   case 3: /* 18 to 21 digits */
-    snprintf(text, 80, "0.%0*llu%0*llu", 9, (unsigned long long)(next_random() % 1000000000),
-             9 + below(4), (unsigned long long)(next_random() % 1000000000));
+    snprintf(last, sizeof last, "%012llu", (unsigned long long)(next_random() % 1000000000));
+    snprintf(text, 80, "0.%09llu%s", (unsigned long long)(next_random() % 1000000000),
+             last + below(4));
     break;
   default: /* as files have them */
     snprintf(text, 80, "%s%d.%0*d%s", below(2) != 0 ? "+" : "", below(2000), 1 + below(6),
