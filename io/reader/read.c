@@ -56,6 +56,10 @@ static void list_formats(char list[80]) {
 }
 
 static const mesh_format *format_of(const mesh_builder *b) {
+  if (b->size > 2 && memcmp(b->bytes, "\x1f\x8b", 2) == 0) {
+    sepax__builder_fail(b, "compressed by gzip; unpack it with gunzip");
+    return NULL;
+  }
   for (int n = 0; n < FORMATS; n++) {
     if (formats[n].is(b->bytes, b->size)) {
       return &formats[n];
