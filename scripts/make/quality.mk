@@ -51,9 +51,10 @@ experiment-sanitize:
 experiment-coverage:
 	@rm -rf $(BUILD)/coverage
 	@$(MAKE) BUILD=$(BUILD)/coverage CFLAGS="-O0 -g1 --coverage -DFEWER_BY=5" c_programs
-	@tb/unit/all $(BUILD)/coverage
-	@tb/fuzz/inputs $(BUILD)/coverage/fuzz/*
-	@awk -F ' *[|] *' '$$2 ~ /sanitized/ { print $$5 }' tb/tests | while read -r test; do \
+	@chmod -R a+rwX $(BUILD)/coverage # a test of root's runs the program as another user
+	@umask 0; tb/unit/all $(BUILD)/coverage
+	@umask 0; tb/fuzz/inputs $(BUILD)/coverage/fuzz/*
+	@umask 0; awk -F ' *[|] *' '$$2 ~ /sanitized/ { print $$5 }' tb/tests | while read -r test; do \
 	  SEPAX=$(BUILD)/coverage/sepax $$test || [ $$? -eq 77 ] || exit 1; done
 	@scripts/coverage $(BUILD)/coverage $(BUILD)/verify
 

@@ -130,6 +130,16 @@ class Run(unittest.TestCase):
         self.run_tests(*(a_test(str(n), "sleep 0.5") for n in range(3)), jobs=3)
         self.assertLess(time.monotonic() - began, 1.2)
 
+    def test_one_that_waits_runs_beside_the_others(self):
+        began = time.monotonic()
+        self.run_tests(a_test("a", "sleep 0.5", ["waits"]), a_test("b", "sleep 0.5"), jobs=1)
+        self.assertLess(time.monotonic() - began, 0.9)
+
+    def test_of_those_that_wait_one_runs_at_a_time(self):
+        began = time.monotonic()
+        self.run_tests(*(a_test(str(n), "sleep 0.3", ["waits"]) for n in range(3)), jobs=3)
+        self.assertGreater(time.monotonic() - began, 0.9)
+
 
 if __name__ == "__main__":
     unittest.main()
