@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* command.c - sepax path: calls the parts that read, search, certify and write. */
 #include "command_table.h"
-#include "path/cutting.h"
-#include "path/engine.h"
-#include "path/program.h"
+#include "path/stock/cutting.h"
+#include "path/jobs/engine.h"
+#include "path/nc/program.h"
 #include "util/error.h"
 #include "util/write_file.h"
 

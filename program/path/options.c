@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* options.c - the options of sepax path beside those of its scene, and which go together. */
-#include "path/digest.h"
-#include "path/parts.h"
+#include "path/certificate/digest.h"
+#include "path/common/parts.h"
 #include "report/json.h"
 #include "sepax_tree.h"
 #include "util/error.h"

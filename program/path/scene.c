@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* scene.c - makes bodies from the links and chooses the pairs of bodies that are compared. */
-#include "path/cutting.h"
-#include "path/program.h"
+#include "path/stock/cutting.h"
+#include "path/nc/program.h"
 #include "path/tools.h"
 #include "robot/robot.h"
 #include "util/error.h"

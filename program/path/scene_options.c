@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* scene_options.c - the options that describe a scene, for sepax path and sepax size. */
-#include "path/parts.h"
+#include "path/common/parts.h"
 
 #include <stdio.h>
 #include <string.h>

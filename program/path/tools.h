@@ -3,7 +3,7 @@
 #ifndef SEPAX_PATH_TOOLS_H
 #define SEPAX_PATH_TOOLS_H
 
-#include "path/parts.h"
+#include "path/common/parts.h"
 
 /* Find the link of the tools, and read the tools that the path names. The path is there. */
 bool path_tools_read(path_scene *scene, const path_question *q, sepax_error *error);

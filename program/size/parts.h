@@ -4,7 +4,7 @@
 #ifndef SEPAX_SIZING_PARTS_H
 #define SEPAX_SIZING_PARTS_H
 
-#include "path/engine.h"
+#include "path/jobs/engine.h"
 #include "design/engine_table.h"
 
 typedef struct {

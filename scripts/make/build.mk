@@ -12,9 +12,9 @@ LIB_SRC   = $(wildcard lib/*/*.c)
 MODEL_SRC = $(wildcard c_model/*/*.c)
 IO_SRC    = $(wildcard io/reader/*.c io/robot/*.c io/text/*.c) $(XML_OF) $(ZIP_OF)
 CHECKER  = $(wildcard $(addprefix program/certificate_checker/,*.c */*.c))
-MD_OF    = program/path/$(if $(with_md),libmd,missing)/digest.c
-CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c)) $(MD_OF) \
-           $(RTL_GEN)
+MD_OF    = program/path/certificate/$(if $(with_md),libmd,missing)/digest.c
+CLI_SRC  = $(filter-out $(CHECKER),$(wildcard program/*.c program/*/*.c \
+           program/path/*/*.c)) $(MD_OF) $(RTL_GEN)
 RTL_GEN  = $(wildcard rtl_gen/*.c rtl_gen/*/*.c rtl_gen/*/*/*.c)
 UNIT     = $(patsubst tb/unit/%.c,$(BUILD)/unit/%,$(wildcard tb/unit/*.c tb/unit/*/*.c))
 
@@ -81,9 +81,9 @@ $(TEMPLATE_OBJ): $(BUILD)/obj/templates.c
 
 # The page of sepax path as a C string.
 PAGE_OBJ = $(BUILD)/obj/page.o
-$(BUILD)/obj/page.c: scripts/embed program/path/page.html
+$(BUILD)/obj/page.c: scripts/embed program/path/print/page.html
 	@mkdir -p $(@D)
-	@$(aside) scripts/embed -t path_page_html program/path/page.html > $$new && $(in_place)
+	@$(aside) scripts/embed -t path_page_html program/path/print/page.html > $$new && $(in_place)
 $(PAGE_OBJ): $(BUILD)/obj/page.c
 	@$(aside) $(CC) $(SEPAX_CFLAGS) -c $< -o $$new && $(in_place)
 

@@ -2,7 +2,7 @@
 /* deviation.c - how much nearer bodies come if joints are off their linear motion: the bound on a
  * path against points of both bodies at joints that are off, and dog-legs. */
 #include "harness.h"
-#include "path/program.h"
+#include "path/nc/program.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* order.c - the least clearance of a path: the same in any order of lines and with any number of
  * threads, and found with few searches. */
-#include "path/line.h"
+#include "path/search/line.h"
 #include "harness.h"
 
 #include <math.h>
