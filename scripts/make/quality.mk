@@ -55,7 +55,7 @@ experiment-coverage:
 	@umask 0; tb/unit/all $(BUILD)/coverage
 	@umask 0; tb/fuzz/inputs $(BUILD)/coverage/fuzz/*
 	@umask 0; awk -F ' *[|] *' '$$2 ~ /sanitized/ { print $$5 }' tb/tests | while read -r test; do \
-	  SEPAX=$(BUILD)/coverage/sepax $$test || [ $$? -eq 77 ] || exit 1; done
+	  SEPAX=$(BUILD)/coverage/sepax $$test < /dev/null || [ $$? -eq 77 ] || exit 1; done
 	@scripts/coverage $(BUILD)/coverage $(BUILD)/verify
 
 # Fuzz targets with libFuzzer and the sanitizers of clang.
