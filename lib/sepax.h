@@ -558,7 +558,8 @@ typedef struct {
 } sepax_shell;
 
 /* Find the shell of a body. The result is exact: no tolerance is used. Cost: about 0.3 microseconds
- * for each triangle. Errors: LIMIT on more than 715,827,882 triangles; MEMORY. */
+ * for each triangle, twice as much if edges of several sheets are to be compared. Errors: LIMIT on
+ * more than 715,827,882 triangles; MEMORY. */
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error);
 void sepax_shell_free(sepax_shell *shell);
 
@@ -573,20 +574,29 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * AABB that encloses all open parts of B. If A has such a part and no other part of A is inside B,
  * then within[0] is SEPAX_INSIDE_UNKNOWN. within[1] likewise.
  *
- * A point is inside a closed part if a ray from the point meets the part an odd number of times. If
- * the triangles of the part are consistent, then a point is also inside if the number of times that
- * the ray leaves the part differs from the number of times that it enters the part. This second
- * rule matters for a part that crosses itself. If a part has sheets of triangles with the same
- * boundary, and is also closed with one of each, or with half of each, then a point is also inside
- * if this holds with these triangles alone. A sheet is what hangs together by edges of exactly two
- * triangles; two triangles of the same three vertices are two sheets. This third rule matters for
- * files that have both sides of each face, however each side is divided. If the rules answer
- * differently, then a body that is inside by one of them is inside. A point is inside a piece if it
- * is inside one of its parts. A point is inside the solid if it is inside an odd number of pieces.
- * So a piece inside another piece is a cavity, and a piece inside the cavity is material again.
- * Overlapping parts form one piece, so a point inside one of these parts is inside the piece. All
- * these rules also hold for a part that is inside out and for a part with triangles that are turned
- * round.
+ * A point is inside a closed part if one of three rules says so:
+ *   1. A ray from the point meets the part an odd number of times.
+ *   2. The triangles of the part are consistent, and the number of times that the ray leaves the
+ *      part differs from the number of times that it enters the part. This rule matters for a part
+ *      that crosses itself.
+ *   3. Sheets of the part that are there several times enclose the point. A sheet is what hangs
+ *      together by edges that belong to exactly two triangles and lie on no other edge; two
+ *      triangles of the same three vertices are two sheets. Two sheets are there several times if
+ *      they have the same boundary and the same vertices, or if triangles of one plane lie on each
+ *      other. Such sheets enclose a point if some of them, once each, form a closed surface that
+ *      has the point inside by rule 1. This rule matters for files that have both sides of each
+ *      face, however each side is divided. It holds for parts that have a sheet an even number of
+ *      times, or triangles that lie on each other and are divided differently.
+ *
+ * A point is inside a piece if it is inside one of its parts. A point is inside the solid if it is
+ * inside an odd number of pieces. So a piece inside another piece is a cavity, and a piece inside
+ * the cavity is material again. A cavity is material, too, if it may be filled: if the point is
+ * inside two parts of one piece, or if its pieces are not all there the same number of times, such
+ * as once, or twice for both sides of each face. All these rules also hold for a part that is
+ * inside out and for a part with triangles that are turned round.
+ *
+ * If a part has so many sheets that the third rule would take too long, then a point is
+ * SEPAX_INSIDE_UNKNOWN if rules 1 and 2 do not hold and a ray from the point meets the part.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */

@@ -41,12 +41,12 @@ static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uin
 }
 
 static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts,
-                     const bool *turned, const bool *open, const uint8_t *broken,
-                     const uint8_t *copy) {
+                     const surface *s) {
   for (size_t k = 0; k < parts; k++) {
     own->part[k].consistent = true;
     own->part[k].open = false;
-    own->part[k].readings = SOLID_ALL;
+    own->part[k].tangled = false;
+    own->part[k].times = UINT32_MAX;
     for (int i = 0; i < 3; i++) {
       own->part[k].low[i] = INFINITY;
       own->part[k].high[i] = -INFINITY;
@@ -54,19 +54,19 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   }
   for (size_t n = 0; n < body->count; n++) {
     solid_part *part = &own->part[own->of[n]];
-    part->consistent = part->consistent && !turned[n];
-    part->open = part->open || open[n];
-    part->readings |= copy[n];
+    part->consistent = part->consistent && !s->turned[n];
+    part->open = part->open || s->open[n];
+    part->tangled = part->tangled || (s->tangled != NULL && s->tangled[n]);
+    uint32_t times = s->times != NULL ? s->times[n] : 1;
+    if (times != SOLID_MEMBER) {
+      part->times = part->times == UINT32_MAX || part->times == times ? times : 0;
+    }
     memcpy(part->vertex, body->triangle[n][0], sizeof part->vertex);
     for (int k = 0; k < 9; k++) {
       double x = body->triangle[n][k / 3][k % 3];
       part->low[k % 3] = fmin(part->low[k % 3], x);
       part->high[k % 3] = fmax(part->high[k % 3], x);
     }
-  }
-  for (size_t n = 0; n < body->count; n++) {
-    solid_part *part = &own->part[own->of[n]];
-    part->readings &= (uint8_t) ~(part->open ? SOLID_ONE | SOLID_HALF : broken[n]);
   }
   for (int i = 0; i < 3; i++) {
     own->open[0][i] = INFINITY;
@@ -79,15 +79,24 @@ static void describe(struct sepax_parts *own, const sepax_body *body, size_t par
   }
 }
 
-bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned, const bool *open,
-                       const uint8_t *broken, uint8_t **copy) {
+/* Take over the words, if there are any. */
+static void take_over(struct sepax_parts *own, surface *s) {
+  for (size_t n = 0; n < s->count && s->word != NULL; n++) {
+    if (s->word[n] != 0) {
+      own->word = s->word;
+      s->word = NULL;
+    }
+  }
+}
+
+bool sepax__find_parts(sepax_shell *shell, surface *s) {
   const sepax_body *body = shell->body;
   struct sepax_parts *own = sepax__zeroed(1, sizeof *own);
   shell->own = own;
   if (own == NULL || (own->of = sepax_allocate(body->count * sizeof *own->of)) == NULL) {
     return false;
   }
-  uint32_t parts = number_parts(own->of, parent, body->count);
+  uint32_t parts = number_parts(own->of, s->parent, body->count);
   assert(parts > 0);
   uint32_t *piece = sepax_allocate(3 * (size_t)parts * sizeof *piece);
   own->part = sepax_allocate(parts * sizeof *own->part);
@@ -106,13 +115,8 @@ bool sepax__find_parts(sepax_shell *shell, uint32_t *parent, const bool *turned,
     for (size_t n = 0; n < body->count; n++) {
       own->of[n] = place[own->of[n]];
     }
-    describe(own, body, parts, turned, open, broken, *copy);
-    for (uint32_t k = 0; k < parts && own->copy == NULL; k++) {
-      if (own->part[k].readings != SOLID_ALL) {
-        own->copy = *copy;
-        *copy = NULL;
-      }
-    }
+    describe(own, body, parts, s);
+    take_over(own, s);
   }
   sepax_release(piece);
   return ok;
@@ -122,7 +126,7 @@ void sepax__free_parts(struct sepax_parts *own) {
   if (own != NULL) {
     sepax_release(own->part);
     sepax_release(own->of);
-    sepax_release(own->copy);
+    sepax_release(own->word);
     sepax_release(own);
   }
 }

@@ -174,8 +174,14 @@ static bool judge_edge(surface *s, const edge_uses *at, edge_ends *ends, sepax_s
     turn += runs_down(at->edge + n) ? 1 : -1;
     join(s->parent, first, triangle_at(at->edge + n));
   }
-  s->crowded = s->crowded || at->count > 2;
-  const edge_end end = {at->from, other_vertex(at->edge), first, -turn, SOLID_ALL};
+  if (at->count > 2 && !s->crowded) {
+    size_t proper = 0;
+    for (size_t n = 0; n < at->count; n++) {
+      proper += third_vertex(s, at, n) != at->from;
+    }
+    s->crowded = proper > 2;
+  }
+  const edge_end end = {at->from, other_vertex(at->edge), first, -turn};
   if (at->count % 2 != 0) {
     return sepax__add_ends(ends, end);
   }
@@ -235,20 +241,18 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
   s->parent = sepax_allocate(s->count * sizeof *s->parent);
   s->turned = sepax__zeroed(s->count, sizeof *s->turned);
   s->open = sepax__zeroed(s->count, sizeof *s->open);
-  s->broken = sepax__zeroed(s->count, sizeof *s->broken);
-  s->copy = sepax__zeroed(s->count, sizeof *s->copy);
   s->begin = sepax_allocate((s->vertices + 1) * sizeof *s->begin);
   s->edge = sepax_allocate(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->broken == NULL ||
-      s->copy == NULL || s->begin == NULL || s->edge == NULL) {
+  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->begin == NULL ||
+      s->edge == NULL) {
     return false;
   }
   list_edges(s);
   edge_ends ends = {0};
   bool ok = judge_edges(s, &ends, shell) && judge_ends(s, &ends, shell);
+  s->crowded = s->crowded || (shell->closed && ends.count > 0);
   sepax_release(ends.end);
-  return ok && sepax__find_copies(s) &&
-         sepax__find_parts(shell, s->parent, s->turned, s->open, s->broken, &s->copy);
+  return ok && sepax__find_copies(s, body) && sepax__find_parts(shell, s);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -266,8 +270,9 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.parent);
   sepax_release(s.turned);
   sepax_release(s.open);
-  sepax_release(s.broken);
-  sepax_release(s.copy);
+  sepax_release(s.word);
+  sepax_release(s.tangled);
+  sepax_release(s.times);
   sepax_release(s.begin);
   sepax_release(s.edge);
   if (!ok) {

@@ -14,7 +14,6 @@ typedef struct {
   uint32_t at, other; /* vertices */
   uint32_t triangle;
   int32_t away; /* how many more triangles run from `at` to `other` than back */
-  uint8_t odd;  /* the readings in which the number is odd */
 } edge_end;
 
 typedef struct {
@@ -34,9 +33,11 @@ typedef struct {
                        half: the triangle */
   bool *turned;     /* marks one triangle at each edge that is not consistent */
   bool *open;       /* marks one triangle at each open edge */
-  bool crowded;     /* an edge has more than two triangles */
-  uint8_t *copy;    /* the readings that leave out the triangle */
-  uint8_t *broken;  /* the readings in which an edge of the triangle is open */
+  bool crowded;     /* an edge has more than two triangles with three corners */
+  uint32_t *times;  /* of each triangle: how often its sheet is there, 0: not known, SOLID_MEMBER:
+                       that does not matter; NULL: once */
+  uint64_t *word;   /* of each triangle, see sheets.h; NULL if no sheets were needed */
+  bool *tangled;    /* its closed surfaces are too many to be found */
   uint32_t *parent; /* another triangle of the same part; the first of a part has itself */
 } surface;
 
@@ -70,6 +71,18 @@ static inline bool next_edge(const surface *s, edge_uses *at) {
   return true;
 }
 
+/* The third vertex of a triangle at an edge; `from` if there is none. */
+static inline uint32_t third_vertex(const surface *s, const edge_uses *at, size_t n) {
+  uint32_t to = other_vertex(at->edge);
+  const uint32_t *corner = s->corner[triangle_at(at->edge + n)];
+  for (int k = 0; k < 3; k++) {
+    if (corner[k] != at->from && corner[k] != to) {
+      return corner[k];
+    }
+  }
+  return at->from;
+}
+
 /* Add both ends of an edge. `end` is the one at its lower vertex. False without memory. */
 bool sepax__add_ends(edge_ends *ends, edge_end end);
 
@@ -78,8 +91,8 @@ bool sepax__add_ends(edge_ends *ends, edge_end end);
 int sepax__compare_ends(const surface *s, const edge_end *p, const edge_end *q);
 bool sepax__sort_ends(const surface *s, edge_ends *ends);
 
-/* Fill in `copy` and `broken` of a surface whose edges are judged, and join parts that are closed
- * together in a reading. False without memory. */
-bool sepax__find_copies(surface *s);
+/* Fill in `times`, `word` and `tangled` of a surface whose edges are judged, if it needs them, and
+ * join parts that are closed together. False without memory. */
+bool sepax__find_copies(surface *s, const sepax_body *body);
 
 #endif

@@ -106,13 +106,17 @@ static uint32_t children_met(const ray *r, const body_node *node) {
   return ~bits & ((1U << node->children) - 1);
 }
 
-/* The readings in which the ray meets the part an odd number of times, or the part winds round the
- * ray's origin. */
-static unsigned inside_part(ray *r, const solid_part *part, const uint8_t *copy) {
+/* Is the ray's origin inside the part: does the ray meet it an odd number of times, or does the
+ * part wind round the origin, or do sheets of it enclose the origin? *times: how many copies of one
+ * surface are round the origin; 0: not known. */
+static sepax_inside inside_part(ray *r, const solid_part *part, const uint64_t *word,
+                                uint32_t *times) {
   uint32_t stack[STACK] = {0};
   int depth = 1;
-  unsigned odd = 0; /* bits of the part's readings alone */
+  bool odd = false;
+  bool any = false;
   int64_t turns = 0;
+  uint64_t words = 0;
   while (depth > 0) {
     const body_node *node = &r->body->node[stack[--depth]];
     for (uint32_t mask = children_met(r, node); mask != 0; mask &= mask - 1) {
@@ -130,13 +134,18 @@ static unsigned inside_part(ray *r, const solid_part *part, const uint8_t *copy)
       int met = meets(r, t, &certain);
       met = certain ? met : meets_exactly(r, t);
       if (met != 0) {
-        odd ^= part->readings & ~(copy != NULL ? copy[number] : 0U);
+        any = true;
+        odd = !odd;
         turns += met;
+        words ^= word != NULL ? word[number] : 0;
       }
     }
   }
-  bool in = (odd & SOLID_ALL) != 0 || (part->consistent && turns != 0);
-  return in ? odd | SOLID_ALL | (SOLID_READINGS & ~part->readings) : odd;
+  *times = odd == (part->times % 2 != 0) ? part->times : 0;
+  if (odd || words != 0 || (part->consistent && turns != 0)) {
+    return SEPAX_INSIDE;
+  }
+  return any && part->tangled ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
 }
 
 /* Aim the ray at the nearest side of the body's AABB. False if the origin is outside the AABB.
@@ -185,25 +194,41 @@ static bool may_be_in(const ray *r, const double low[3], const double high[3]) {
   return true;
 }
 
-/* A surface of which each triangle is there twice, wound either way, may be that of a solid whose
- * sides have a triangle each, or that of a cavity and of what fills it. So the parts are read in
- * each way: inside in one reading is inside. */
-static bool inside(ray *r, const sepax_shell *shell) {
+/* Pieces that cancel each other are a cavity only if each of them is certainly one surface, or the
+ * same number of copies of one. Otherwise another solid may fill the cavity, or stand in it: a
+ * surface of which each triangle is there twice may be both sides of a cavity's faces, or a cavity
+ * and what fills it. */
+static sepax_inside inside(ray *r, const sepax_shell *shell) {
   const solid_part *part = shell->own->part;
-  unsigned odd = 0;
+  size_t pieces = 0;
+  uint32_t times = UINT32_MAX;
+  bool unknown = false;
   r->part_of = shell->own->of;
   for (uint32_t k = 0; k < shell->parts;) {
-    unsigned in_piece = 0;
+    size_t parts = 0;
     uint32_t piece = part[k].piece;
     for (; k < shell->parts && part[k].piece == piece; k++) {
       r->part = k;
-      if (in_piece != SOLID_READINGS && !part[k].open && may_be_in(r, part[k].low, part[k].high)) {
-        in_piece |= inside_part(r, &part[k], shell->own->copy);
+      if (part[k].open || !may_be_in(r, part[k].low, part[k].high)) {
+        continue;
+      }
+      uint32_t copies;
+      sepax_inside in = inside_part(r, &part[k], shell->own->word, &copies);
+      unknown = unknown || in == SEPAX_INSIDE_UNKNOWN;
+      if (in == SEPAX_INSIDE) {
+        parts++;
+        times = times == UINT32_MAX || times == copies ? copies : 0;
       }
     }
-    odd ^= in_piece;
+    if (parts > 1) {
+      return SEPAX_INSIDE;
+    }
+    pieces += parts;
   }
-  return odd != 0;
+  if (pieces % 2 != 0 || (pieces > 0 && times == 0)) {
+    return SEPAX_INSIDE;
+  }
+  return unknown ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
 }
 
 /* True if the whole part may fit into a box that contains its vertex. The box is up to sqrt(3) of
@@ -240,9 +265,13 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
     }
     if (may_be_in(&r, open[0], open[1]) && may_fit(part, open)) {
       result = SEPAX_INSIDE_UNKNOWN;
-    } else if (inside(&r, b)) {
+      continue;
+    }
+    const sepax_inside one = inside(&r, b);
+    if (one == SEPAX_INSIDE) {
       return SEPAX_INSIDE;
     }
+    result = one == SEPAX_INSIDE_UNKNOWN ? one : result;
   }
   return result;
 }
