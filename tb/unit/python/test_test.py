@@ -70,6 +70,10 @@ class Choice(unittest.TestCase):
         with self.assertRaisesRegex(runner.BadList, "two tests are called 'a'"):
             runner.choose([a_test("a"), a_test("a")], [], False)
 
+    def test_sanitized_by_none(self):
+        with self.assertRaisesRegex(runner.BadList, "no test is called 'sanitize/a'"):
+            runner.choose([a_test("a", tags=["sanitized"])], [], False)
+
 
 class Run(unittest.TestCase):
     """What becomes of a test."""
