@@ -47,7 +47,10 @@ $(BUILD)/raced/all: FORCE
 experiment-sanitize:
 	@scripts/test 'sanitize/*'
 
-# Lines and branches that these tests run, by gcov.
+# Lines and branches that these tests run, by gcov: besides the units those that are sanitized, and
+# others of the program.
+OF_PROGRAM = accuracy certificate explore guard_tube locale meshes nc_faults nc_read page page_data \
+             paper
 experiment-coverage:
 	@rm -rf $(BUILD)/coverage
 	@$(MAKE) BUILD=$(BUILD)/coverage CFLAGS="-O0 -g1 --coverage -DFEWER_BY=5" c_programs
@@ -56,6 +59,7 @@ experiment-coverage:
 	@umask 0; tb/fuzz/inputs $(BUILD)/coverage/fuzz/*
 	@umask 0; awk -F ' *[|] *' '$$2 ~ /sanitized/ { print $$5 }' tb/tests | while read -r test; do \
 	  SEPAX=$(BUILD)/coverage/sepax $$test < /dev/null || [ $$? -eq 77 ] || exit 1; done
+	@umask 0; SEPAX=$(BUILD)/coverage/sepax scripts/test $(OF_PROGRAM)
 	@scripts/coverage $(BUILD)/coverage $(BUILD)/verify
 
 # Fuzz targets with libFuzzer and the sanitizers of clang.
