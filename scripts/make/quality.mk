@@ -47,10 +47,10 @@ $(BUILD)/raced/all: FORCE
 experiment-sanitize:
 	@scripts/test 'sanitize/*'
 
-# Lines and branches that these tests run, by gcov: besides the units those that are sanitized, and
-# others of the program.
-OF_PROGRAM = accuracy certificate explore guard_tube locale meshes nc_faults nc_read page page_data \
-             paper
+# Lines and branches that tests run, by gcov: the units, those that are sanitized, others of the
+# program.
+OF_PROGRAM = accuracy certificate explore guard_tube locale meshes nc_faults nc_read page \
+             page_data paper
 experiment-coverage:
 	@rm -rf $(BUILD)/coverage
 	@$(MAKE) BUILD=$(BUILD)/coverage CFLAGS="-O0 -g1 --coverage -DFEWER_BY=5" c_programs
