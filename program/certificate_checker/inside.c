@@ -94,6 +94,9 @@ static void open_add(open_box *box, const triangle *t) {
   }
 }
 
+/* Two of its corners are one. */
+static bool is_line(const size_t v[3]) { return v[0] == v[1] || v[1] == v[2] || v[2] == v[0]; }
+
 /* One collision element: count triangles from `first`. */
 static void element_parts(shell *s, size_t element, size_t first, size_t count) {
   const triangle *t = s->body->triangle + first;
@@ -120,53 +123,73 @@ static void element_parts(shell *s, size_t element, size_t first, size_t count) 
     }
   }
   size_t *before = memory(NULL, count, sizeof *before);
-  sheets_find(before, edges, used, vertex, count);
+  size_t *copies = memory(NULL, count, sizeof *copies);
+  sheets_find(before, copies, edges, used, vertex, count);
   bool *twisted = s->turned + first;
-  bool(*broken)[READINGS] = s->broken + first;
   memset(twisted, 0, count * sizeof *twisted);
-  memset(broken, 0, count * sizeof *broken);
+  bool *split = memory(NULL, count, sizeof *split); /* of a part: open with one of each */
+  memset(split, 0, count * sizeof *split);
   for (size_t n = 0; n < count; n++) {
     s->out[first + n][0] = false;
     s->out[first + n][1] = before[n] > 0;
     s->out[first + n][2] = before[n] % 2 != 0;
   }
+  size_t *times = memory(NULL, count, sizeof *times); /* of a part: 0: not known yet */
+  memset(times, 0, count * sizeof *times);
   for (size_t n = 0; n < used;) {
     size_t end = n;
     long ways = 0;
-    bool left[READINGS] = {false}; /* an odd number of them */
+    size_t kept = 0; /* of those with one copy of each sheet */
+    size_t one = 0;  /* the same without triangles that are lines */
     for (; end < used && compare_edges(&edges[n], &edges[end]) == 0; end++) {
       ways += edges[end].forward ? 1 : -1;
-      for (int k = 0; k < READINGS; k++)
-        left[k] ^= !s->out[first + edges[end].triangle][k];
+      kept += before[edges[end].triangle] == 0;
+      one += before[edges[end].triangle] == 0 && !is_line(&vertex[3 * edges[end].triangle]);
     }
     const size_t of = root_of(parent, edges[n].triangle);
     if ((end - n) % 2 != 0)
       odd[of] = true;
     if (ways != 0)
       twisted[of] = true;
-    for (int k = 0; k < READINGS; k++)
-      broken[of][k] = broken[of][k] || left[k];
+    if (one > 2)
+      times[of] = SIZE_MAX;
+    if (kept % 2 != 0)
+      split[of] = true;
     n = end;
   }
-  /* Copies that are closed in no reading may hide what they enclose. */
+  /* A part with copies is closed if it is copies of one surface: each sheet has as many copies, and
+   * one of each are closed, with two triangles at each edge. Other copies may hide what they
+   * enclose. */
   for (size_t n = 0; n < count; n++) {
     const size_t of = root_of(parent, n);
-    odd[of] = odd[of] || (before[n] > 0 && broken[of][1] && broken[of][2]);
+    odd[of] = odd[of] || (copies[n] > 1 && (split[of] || times[of] == SIZE_MAX));
+  }
+  for (size_t n = 0; n < count; n++) {
+    const size_t of = root_of(parent, n);
+    if (!is_line(&vertex[3 * n]) && times[of] != SIZE_MAX) {
+      odd[of] = odd[of] || (times[of] != 0 && times[of] != copies[n]);
+      times[of] = copies[n];
+    }
   }
   s->consistent[element] = true;
   s->open[element].any = false;
+  bool open = false;
   for (size_t n = 0; n < count; n++) {
     const size_t of = root_of(parent, n);
     s->closed[first + n] = !odd[of];
     s->part_of[first + n] = first + of;
     s->piece[first + n] = SIZE_MAX;
-    if (odd[of])
-      open_add(&s->open[element], &t[n]);
-    else if (twisted[of])
+    open = open || odd[of];
+    if (!odd[of] && twisted[of])
       s->consistent[element] = false;
   }
+  for (size_t n = 0; n < count && open; n++)
+    open_add(&s->open[element], &t[n]);
   if (!s->body->element[element].hulls) /* their polygons are parts */
     add_parts(s, t, count, parent);
+  free(times);
+  free(split);
+  free(copies);
   free(before);
   free(odd);
   free(parent);
@@ -183,7 +206,6 @@ shell shell_of(const surface *s) {
                 .closed = memory(NULL, s->count, sizeof *made.closed),
                 .part_of = memory(NULL, s->count, sizeof *made.part_of),
                 .out = memory(NULL, s->count, sizeof *made.out),
-                .broken = memory(NULL, s->count, sizeof *made.broken),
                 .turned = memory(NULL, s->count, sizeof *made.turned),
                 .piece = memory(NULL, s->count, sizeof *made.piece),
                 .consistent = memory(NULL, s->elements, sizeof *made.consistent),
@@ -272,11 +294,11 @@ static void part_cross(ray_parts *r, const shell *b, size_t place, int way) {
     r->part[n].crossings[k] += !b->out[place][k];
 }
 
-/* Is the ray's origin inside the part? A reading in which it is open counts as the first one. */
+/* Is the ray's origin inside the part? */
 static bool part_holds(const shell *b, const part_met *m, int reading) {
   if (m->crossings[0] % 2 != 0 || (!b->turned[m->part] && m->winding != 0))
     return true;
-  return !b->broken[m->part][reading] && m->crossings[reading] % 2 != 0;
+  return m->crossings[reading] % 2 != 0;
 }
 
 static size_t piece_of(const shell *b, size_t element, size_t part) {
@@ -391,15 +413,16 @@ static bool ray_is_free(const shell *b, size_t element, point p, point d) {
   const surface *s = b->body;
   const long double doubt = doubt_at(s, p, ROUNDED);
   for (size_t n = s->element[element].first; n < element_end(s, element); n++) {
-    if (!b->closed[n] && triangle_meet(&s->triangle[n], p, d, doubt) != RAY_MISSES)
+    if (triangle_meet(&s->triangle[n], p, d, doubt) != RAY_MISSES)
       return false;
   }
   return true;
 }
 
-/* Proved to be outside whatever the open triangles of the element enclose? A part that touches none
- * of them is outside where one of its vertices is. An even number of crossings would not do: two
- * solids may overlap. */
+/* Proved to be outside whatever the triangles of an element with open ones enclose? Closed parts
+ * count, too: one may be a face with both of its sides, which fills a hole of the others. A part of
+ * a that touches none of the triangles is outside where one of its vertices is. An even number of
+ * crossings would not do: two solids may overlap. */
 static bool outside_open(const shell_part *part, const shell *b, size_t element, pose at) {
   enum { VERTICES = sizeof part->at / sizeof *part->at };
   point p[VERTICES];

@@ -13,7 +13,7 @@ typedef struct {
   vec at[7];
 } shell_part;
 
-/* The box of the triangles of an element that are of open parts, if there are any. */
+/* The box of an element, if it has open parts. */
 typedef struct {
   bool any;
   vec low, high;
@@ -29,11 +29,10 @@ typedef struct {
   const surface *body;
   shell_part *part;
   size_t parts;
-  bool *closed;             /* of each triangle */
-  size_t *part_of;          /* of each triangle: one that stands for its part */
-  bool (*out)[READINGS];    /* of each triangle: left out in that reading */
-  bool (*broken)[READINGS]; /* of what stands for a part: open in that reading */
-  bool *turned;             /* of what stands for a part: its edges are not run both ways alike */
+  bool *closed;          /* of each triangle */
+  size_t *part_of;       /* of each triangle: one that stands for its part */
+  bool (*out)[READINGS]; /* of each triangle: left out in that reading */
+  bool *turned;          /* of what stands for a part: its edges are not run both ways alike */
   size_t *piece;    /* of what stands for a part: its piece; SIZE_MAX where it is not found yet */
   bool *consistent; /* of each collision element: its closed parts' edges are run both ways alike */
   open_box *open;   /* of each collision element */
@@ -51,7 +50,7 @@ bool shell_inside(const shell *a, const shell *b, pose at);
 /* Of such bodies: may a part of a be inside what open parts of an element of b enclose? They are
  * open by whole edges, but may be closed by edges that have a vertex in their middle. false is
  * proved: of each part of a, one vertex is outside their box, or is where a ray begins that meets
- * none of their triangles. */
+ * none of the element's triangles. */
 bool shell_may_be_inside(const shell *a, const shell *b, pose at);
 
 #endif

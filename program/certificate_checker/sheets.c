@@ -90,8 +90,8 @@ static size_t sort_seams(seam *seams, size_t count, size_t *sheet) {
   return kept;
 }
 
-void sheets_find(size_t *before, const edge *edges, size_t used, const size_t *vertex,
-                 size_t count) {
+void sheets_find(size_t *before, size_t *copies, const edge *edges, size_t used,
+                 const size_t *vertex, size_t count) {
   size_t *sheet = memory(NULL, count, sizeof *sheet);
   seam *seams = memory(NULL, used, sizeof *seams);
   boundary *all = memory(NULL, count, sizeof *all);
@@ -100,6 +100,7 @@ void sheets_find(size_t *before, const edge *edges, size_t used, const size_t *v
   for (size_t n = 0; n < count; n++) {
     sheet[n] = n;
     before[n] = 0;
+    copies[n] = 1;
   }
   for (size_t n = 0; n < used;)
     n += edge_join(sheet, seams, &seam_count, &edges[n], used - n, vertex);
@@ -114,8 +115,14 @@ void sheets_find(size_t *before, const edge *edges, size_t used, const size_t *v
     if (compare_lines(&all[n - 1], &all[n]) == 0)
       before[all[n].sheet] = before[all[n - 1].sheet] + 1;
   }
-  for (size_t n = 0; n < count; n++)
+  for (size_t n = sheets; n-- > 0;) {
+    const bool last = n + 1 == sheets || before[all[n + 1].sheet] == 0;
+    copies[all[n].sheet] = last ? before[all[n].sheet] + 1 : copies[all[n + 1].sheet];
+  }
+  for (size_t n = 0; n < count; n++) {
     before[n] = before[root_of(sheet, n)];
+    copies[n] = copies[root_of(sheet, n)];
+  }
   free(all);
   free(seams);
   free(sheet);

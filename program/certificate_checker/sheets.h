@@ -17,8 +17,9 @@ typedef struct {
 } edge;
 
 /* Of count triangles with the vertices `vertex`, three each, and their `used` edges, sorted by low
- * and high: how many copies of its sheet come before each triangle. */
-void sheets_find(size_t *before, const edge *edges, size_t used, const size_t *vertex,
-                 size_t count);
+ * and high: how many copies of its sheet come before each triangle, and how many its sheet has,
+ * itself included. */
+void sheets_find(size_t *before, size_t *copies, const edge *edges, size_t used,
+                 const size_t *vertex, size_t count);
 
 #endif
