@@ -365,6 +365,46 @@ CASE(filled_cavity) {
   }
 }
 
+/* The same with both sides of each face. What fills a corner of the cavity has three faces in
+ * common with its wall; each of them may be divided in another way. */
+CASE(filled_corner) {
+  const double outer[2][3] = {{0, 0, 0}, {8, 8, 8}};
+  const double wall[2][3] = {{2, 2, 2}, {6, 6, 6}};
+  const double middle[3] = {4, 4, 4};
+  for (int n = 0; n < 60; n++) {
+    sepax_soup m = {0};
+    add_cells(&m, outer[0], outer[1], 1);
+    add_cells(&m, wall[0], wall[1], 2);
+    if (n % 2 != 0) {
+      add_cells(&m, wall[0], middle, 1);
+    }
+    add_again(&m, 0, true);
+    assert_small(&m, 3, 3.25, 3.5, true, true, n % 2 != 0 ? SEPAX_INSIDE : SEPAX_OUTSIDE);
+    assert_small(&m, 1, 3.25, 3.5, true, true, SEPAX_INSIDE);
+    sepax_soup_free(&m);
+  }
+}
+
+/* Many sheets of one boundary take no more time each than a few. */
+CASE(many_sheets) {
+  static const double rim[4][3] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  sepax_soup m = {0};
+  for (int n = 0; n < 20000; n++) {
+    const double top[3] = {0, 0, (n / 4 + 1) / 4096.0};
+    add_triangle(&m, rim[n % 4], rim[(n + 1) % 4], top);
+  }
+  sepax_body *body = NULL;
+  sepax_shell shell;
+  assert_works(sepax_body_new(&body, SEPAX_SOUP_MESH(&m), NULL, &fault));
+  clock_t start = clock();
+  assert_works(sepax_shell_find(&shell, body, &fault));
+  assert_true(clock() - start < 3 * CLOCKS_PER_SEC);
+  assert_true(shell.closed);
+  sepax_shell_free(&shell);
+  sepax_body_free(body);
+  sepax_soup_free(&m);
+}
+
 /* A house of two halves, which are solids of their own: where they meet, the wall is there twice.
  * The room within is no material. */
 CASE(house_of_two_halves) {
