@@ -390,7 +390,8 @@ CASE(many_sheets) {
   static const double rim[4][3] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   sepax_soup m = {0};
   for (int n = 0; n < 20000; n++) {
-    const double top[3] = {0, 0, (n / 4 + 1) / 4096.0};
+    const int cone = n / 4 + 1;
+    const double top[3] = {0, 0, cone / 4096.0};
     add_triangle(&m, rim[n % 4], rim[(n + 1) % 4], top);
   }
   sepax_body *body = NULL;
