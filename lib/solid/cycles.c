@@ -2,9 +2,9 @@
 /* cycles.c - finds the closed surfaces that sheets form, which are the kernel of a matrix modulo 2:
  * its columns are sheets, its rows places.
  *
- * A place of one sheet makes this sheet no part of any closed surface; a place of two sheets makes
- * them one group, as they are in the same closed surfaces. This leaves little of most bodies. The
- * rest is reduced column by column. */
+ * If a place is in the boundary of one sheet alone, then this sheet is in no closed surface. If it
+ * is in two boundaries, then their sheets are in the same closed surfaces, and become one group.
+ * This leaves little of most bodies. The rest is reduced column by column. */
 #include "parts.h"
 #include "sheets.h"
 #include "util/memory.h"
