@@ -548,8 +548,8 @@ typedef struct {
                         finite number of points, as many edges run in one direction as in the
                         other. If an odd number of edges meets there, then the two numbers differ
                         by 1 */
-  size_t facet;      /* if `closed` or `consistent` is false: a triangle with an edge that breaks
-                        the rule of that field */
+  size_t facet;      /* if `closed` or `consistent` is false: a triangle, not without area, with an
+                        edge that breaks the rule of that field */
   double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
                         rule of `closed` */
   size_t parts;
