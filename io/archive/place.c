@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* place.c - places the objects of a 3MF package by its items and components. */
 #include "archive/model.h"
+#include "body/orient.h"
 #include "util/text.h"
 
 #include <math.h>
@@ -12,25 +13,10 @@ enum { HEIGHT_MOST = 64, VISITS_MOST = 4000000 };
 
 /* ------------------------------------------------------------------------- matrices */
 
-static double determinant(const double m[4][3]) {
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-/* The sign of the determinant. Rows are first made about 1 long, because the product could
- * underflow otherwise. */
-static double orientation(const double m[4][3]) {
-  double scaled[4][3];
-  for (int i = 0; i < 3; i++) {
-    double most = fmax(fabs(m[i][0]), fmax(fabs(m[i][1]), fabs(m[i][2])));
-    int exponent = 0;
-    frexp(most, &exponent);
-    for (int k = 0; k < 3; k++) {
-      scaled[i][k] = ldexp(m[i][k], -exponent);
-    }
-  }
-  return determinant((const double(*)[3])scaled);
+/* Above 0 if the matrix keeps left and right, below 0 if it mirrors, 0 if it makes objects flat. */
+static int orientation(const double m[4][3]) {
+  static const double origin[3] = {0, 0, 0};
+  return sepax__orient3d(origin, m[0], m[1], m[2]);
 }
 
 bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matrix *at) {
@@ -59,7 +45,7 @@ bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matri
     return sepax__part_xml_fail(x, "transform=\"%.*s\": give 12 finite numbers",
                                 (int)(a->length < 60 ? a->length : 60), a->value);
   }
-  double sign = orientation((const double(*)[3])at->m);
+  int sign = orientation((const double(*)[3])at->m);
   at->identity = memcmp(at->m, identity, sizeof identity) == 0;
   at->mirrors = sign < 0;
   return sign != 0 ||
@@ -88,12 +74,12 @@ static model_matrix multiply(const model_matrix *inner, const model_matrix *oute
 /* Digits of coordinates are lost where products of matrices are very small or large, and all of
  * them where they underflow. */
 static bool is_placing(const model_matrix *at) {
-  bool placing = at->identity || orientation((const double(*)[3])at->m) != 0;
+  bool placing = true;
   for (int i = 0; i < 3 && !at->identity; i++) {
     double most = fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2])));
     placing = placing && most >= 0x1p-400 && most <= 0x1p400;
   }
-  return placing;
+  return placing && (at->identity || orientation((const double(*)[3])at->m) != 0);
 }
 
 static void apply(const model_matrix *at, const double from[3], double to[3]) {

@@ -215,9 +215,16 @@ static bool make_capsule(sepax_soup *mesh, double radius, double length, sepax_e
 static void scale_mesh(sepax_soup *mesh, const double scale[3]) {
   for (size_t n = 0; n < 9 * mesh->count; n++) {
     mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale[n % 3];
+  const bool mirrors = ((scale[0] < 0) ^ (scale[1] < 0) ^ (scale[2] < 0)) != 0;
   }
 }
 
+  for (size_t n = 0; n < mesh->count && mirrors; n++) {
+    double second[3];
+    memcpy(second, mesh->facet[n].v[1], sizeof second);
+    memcpy(mesh->facet[n].v[1], mesh->facet[n].v[2], sizeof second);
+    memcpy(mesh->facet[n].v[2], second, sizeof second);
+  }
 static bool is_at_origin(const sepax_pose *pose) {
   for (int i = 0; i < 9; i++) {
     if (pose->rotation[i / 3][i % 3] != (i / 3 == i % 3)) {

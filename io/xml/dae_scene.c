@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* dae_scene.c - the geometries of a COLLADA document where its scene places them. */
+#include "body/orient.h"
 #include "util/text.h"
 #include "xml/dae.h"
 
@@ -13,10 +14,10 @@ enum { HEIGHT_MOST = 300, VISITS_MOST = 4000000 };
 /* The matrix m of p' = m p for a column (x y z 1). */
 typedef struct {
   double m[3][4];
-  bool identity;
+  bool identity, mirrors;
 } dae_matrix;
 
-static const dae_matrix identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, true};
+static const dae_matrix identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}, true, false};
 
 /* ---------------------------------------------------------------------------- matrices */
 
@@ -27,7 +28,7 @@ static dae_matrix multiply(const dae_matrix *outer, const dae_matrix *inner) {
   if (inner->identity) {
     return *outer;
   }
-  dae_matrix product = {.identity = false};
+  dae_matrix product = {.mirrors = outer->mirrors != inner->mirrors};
   for (int i = 0; i < 3; i++) {
     for (int k = 0; k < 4; k++) {
       product.m[i][k] = outer->m[i][0] * inner->m[0][k] + outer->m[i][1] * inner->m[1][k] +
@@ -37,21 +38,10 @@ static dae_matrix multiply(const dae_matrix *outer, const dae_matrix *inner) {
   return product;
 }
 
-/* True if the matrix makes everything flat. Its rows are first made about 1 long, because the
- * determinant could underflow otherwise. */
-static bool is_flat(const dae_matrix *at) {
-  double r[3][3];
-  for (int i = 0; i < 3; i++) {
-    int exponent = 0;
-    frexp(fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2]))), &exponent);
-    for (int k = 0; k < 3; k++) {
-      r[i][k] = ldexp(at->m[i][k], -exponent);
-    }
-  }
-  return r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) -
-             r[0][1] * (r[1][0] * r[2][2] - r[1][2] * r[2][0]) +
-             r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]) ==
-         0;
+/* Above 0 if the matrix keeps left and right, below 0 if it mirrors, 0 if it makes meshes flat. */
+static int orientation(const dae_matrix *at) {
+  static const double origin[3] = {0, 0, 0};
+  return sepax__orient3d(origin, at->m[0], at->m[1], at->m[2]);
 }
 
 static bool read_matrix(const dae *d, const xmlNode *node, dae_matrix *at) {
@@ -131,12 +121,12 @@ static bool read_three(const dae *d, const xmlNode *node, dae_matrix *at, bool s
 /* Digits of coordinates are lost where products of matrices are very small or large, and all of
  * them where they underflow. */
 static bool is_placing(const dae_matrix *at) {
-  bool placing = at->identity || !is_flat(at);
+  bool placing = true;
   for (int i = 0; i < 3 && !at->identity; i++) {
     double most = fmax(fabs(at->m[i][0]), fmax(fabs(at->m[i][1]), fabs(at->m[i][2])));
     placing = placing && most >= 0x1p-400 && most <= 0x1p400;
   }
-  return placing;
+  return placing && (at->identity || orientation(at) != 0);
 }
 
 static bool fail_product(const dae *d, const xmlNode *node) {
@@ -182,7 +172,9 @@ static bool read_transformation(const dae *d, const xmlNode *node, dae_matrix *a
       return sepax__dae_fail(d, node, "<%s>: give finite numbers", name);
     }
   }
-  if (is_flat(&own)) {
+  int sign = orientation(&own);
+  own.mirrors = sign < 0;
+  if (sign == 0) {
     return sepax__dae_fail(
         d, node, "<%s> makes every mesh that it places flat; give one that does not", name);
   }
@@ -303,10 +295,12 @@ static bool place_geometry(const dae *d, const dae_geometry *g, const dae_matrix
     double v[3][3];
     for (int c = 0; c < 3; c++) {
       const double *from = g->facet[n].v[c];
+      double *to =
+          v[at->mirrors && c > 0 ? 3 - c : c]; /* a mirrored triangle keeps its outer side */
       for (int i = 0; i < 3; i++) {
         const double *row = at->m[i];
-        v[c][i] = at->identity ? from[i]
-                               : row[0] * from[0] + row[1] * from[1] + row[2] * from[2] + row[3];
+        to[i] = at->identity ? from[i]
+                             : row[0] * from[0] + row[1] * from[1] + row[2] * from[2] + row[3];
       }
     }
     if (!sepax__builder_triangle(d->b, (const double(*)[3])v)) {

@@ -277,6 +277,7 @@ static void read_geometry(dae *d, xmlNode *node, const placement *at) {
   if (hull != NULL)
     cannot("%s:%ld: convex_hull_of", d->m->file, tree_line(body));
   geometry g = {.at = *at};
+  d->m->turned = placement_mirrors(at);
   point *vertex = vertices_of(d, body, &g.vertices);
   g.vertex = vertex;
   for (xmlNode *n = tree_element(body->children); n != NULL; n = tree_element(n->next)) {

@@ -18,7 +18,7 @@ enum { TRIANGLES_MOST = 20000000 };
 
 void mesh_polygon(mesh *m, const point *corner, size_t count) {
   for (size_t n = 0; n < count; n++) {
-    const point p = corner[n];
+    const point p = corner[m->turned && n > 0 ? count - n : n];
     if (!(fabsl(p.x) <= MOST && fabsl(p.y) <= MOST && fabsl(p.z) <= MOST))
       cannot("%s: a coordinate is not finite", m->file);
     GROW(m->corner, m->corners);

@@ -15,7 +15,10 @@ typedef struct {
   const char *file; /* for messages */
   const char *format;
   long double unit_mm; /* 0 if the file has no unit */
-  point *corner;       /* corners of all polygons, in units of the file */
+  bool fans;     /* polygons that cross themselves are fans of their first corners; else refused */
+  size_t fanned; /* how many */
+  bool turned;   /* polygons that are added now are turned round: their placement mirrors */
+  point *corner; /* corners of all polygons, in units of the file */
   size_t corners;
   size_t *end; /* end[n]: one past the last corner of polygon n */
   size_t polygons;
@@ -51,6 +54,10 @@ static const placement PLACEMENT_NONE = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 
 static inline point placement_apply(const placement *a, point p) {
   return point_plus(
       (point){point_dot(a->row[0], p), point_dot(a->row[1], p), point_dot(a->row[2], p)}, a->shift);
+}
+/* Does it mirror? Then polygons must be turned round, or their outer sides would come inside. */
+static inline bool placement_mirrors(const placement *a) {
+  return point_dot(point_cross(a->row[0], a->row[1]), a->row[2]) < 0;
 }
 /* The placement that applies b first, then a. */
 placement placement_product(const placement *a, const placement *b);

@@ -42,8 +42,10 @@ static point scaled(const target *t, point p) {
   return (point){p.x * t->scale.x, p.y * t->scale.y, p.z * t->scale.z};
 }
 
+/* A scale that mirrors turns the triangle round, so that its outer side stays outside. */
 static void add_to(const target *t, point a, point b, point c) {
-  add(t->s, t->at, scaled(t, a), scaled(t, b), scaled(t, c));
+  const bool mirrors = ((t->scale.x < 0) ^ (t->scale.y < 0) ^ (t->scale.z < 0)) != 0;
+  add(t->s, t->at, scaled(t, a), scaled(t, mirrors ? c : b), scaled(t, mirrors ? b : c));
 }
 
 /* All hulls are wound alike, so that no two of them cancel. */

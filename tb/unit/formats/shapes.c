@@ -169,6 +169,27 @@ CASE(test_box_in_its_place) {
   sepax_soup_free(&mesh);
 }
 
+/* Each face anticlockwise, as seen from outside. */
+#define BOX_OBJ                                                                                    \
+  "v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 0 0 3\nv 1 0 3\nv 1 2 3\nv 0 2 3\nf 4 3 2 1\nf 5 6 7 8\n" \
+  "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"
+
+/* A scale that mirrors leaves outer sides outside. */
+CASE(test_mirrored_meshes) {
+  char file[400];
+  snprintf(file, sizeof file, "%s", put_file("box.obj", BOX_OBJ));
+  for (int n = 0; n < 8; n++) {
+    const sepax_shape shape = {
+        .kind = SEPAX_SHAPE_MESH,
+        .path = file,
+        .size = {(n & 1) != 0 ? -1 : 1, (n & 2) != 0 ? -2 : 2, (n & 4) != 0 ? -0.5 : 0.5},
+        .origin = at_origin};
+    sepax_soup mesh = mesh_of(&shape);
+    assert_solid(&mesh, 6, 1e-15);
+    sepax_soup_free(&mesh);
+  }
+}
+
 /* Many triangles in one place: one of each three corners stays, in whatever order they are. */
 CASE(test_distinct) {
   enum { COUNT = 300000 };

@@ -129,6 +129,25 @@ CASE(accessors) {
          "no <float_array> has this id");
 }
 
+/* A placement that mirrors turns triangles round, so their outer sides stay outside; two that do
+ * leave them. */
+CASE(mirrors) {
+  read_text(PLACED(NODE("<scale>-1 1 1</scale>")));
+  TRIANGLE(0, 0, 0, 0, 0, 2, 0, -1, 0, 0);
+  sepax_soup_free(&soup);
+  read_text(PLACED(NODE("<scale>-1 1 -1</scale>")));
+  TRIANGLE(0, 0, 0, 0, -1, 0, 0, 0, 2, 0);
+  sepax_soup_free(&soup);
+  read_text(PLACED("<node><scale>1 1 -1</scale>" NODE(
+      "<matrix>0 1 0 0 1 0 0 0 0 0 1 5 0 0 0 1</matrix>") "</node>"));
+  TRIANGLE(0, 0, 0, -5, 0, 1, -5, 2, 0, -5);
+  sepax_soup_free(&soup);
+  read_text(PLACED(
+      "<node><rotate>0 0 1 90</rotate>" NODE("<scale>1e-90 1e-90 -1e-90</scale>") "</node>"));
+  TRIANGLE(0, 0, 0, 0, -2e-90, 0, 0, 0, 1e-90, 0);
+  sepax_soup_free(&soup);
+}
+
 CASE(transformations) {
   read_text(PLACED(NODE("<translate>3 0 0</translate><rotate>0 0 2 90</rotate>")));
   TRIANGLE(0, 3, 0, 0, 3, 1, 0, 1, 0, 0);
