@@ -31,7 +31,15 @@ typedef struct {
   size_t count;
 } sepax_mesh_other;
 
-enum { SEPAX_MESH_OTHERS_MOST = 32 };
+/* Objects that have a surface of which one may expect something else: what they are and what the
+ * reader did, for example "meshes inside out, which are turned". */
+typedef struct {
+  char what[60];
+  char which[160]; /* names of the first of them: "object 3, object 5, ..." */
+  size_t count;
+} sepax_mesh_remark;
+
+enum { SEPAX_MESH_OTHERS_MOST = 32, SEPAX_MESH_REMARKS_MOST = 8 };
 
 /* What a file has and what became of it. */
 typedef struct {
@@ -46,6 +54,8 @@ typedef struct {
   sepax_mesh_other other[SEPAX_MESH_OTHERS_MOST]; /* in the order of the file */
   size_t others;                                  /* number of entries of `other` */
 } sepax_mesh_account;
+  sepax_mesh_remark remark[SEPAX_MESH_REMARKS_MOST];
+  size_t remarks; /* number of entries of `remark` */
 
 /* Options of sepax_mesh_read. */
 typedef struct {

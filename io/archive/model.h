@@ -33,6 +33,7 @@ typedef struct {
   size_t weight, visits; /* triangles that one use makes; components visited for that */
   size_t height;         /* levels of components */
   bool entered, done, placed;
+  bool turned; /* its mesh is inside out, so its triangles are turned round */
 } model_object;
 
 typedef struct {
@@ -56,6 +57,13 @@ bool sepax__model_matrix(const part_xml *x, const part_attribute *a, model_matri
 /* Place the objects that the items build. *unplaced receives the number of triangles of all other
  * objects. */
 bool sepax__model_place(model *m, size_t *unplaced);
+
+/* Is the surface of the mesh closed, and wound so that its outer side is inside? Takes time with
+ * its triangles. */
+bool sepax__model_inside_out(const model *m, const model_object *o);
+
+/* Name in the account the volumes that a slicer says are no material. */
+bool sepax__slicer_volumes(package *p);
 
 /* What the reader does with an extension, by its namespace. READ: all its surfaces are read.
  * SURFACES: it adds surfaces that are not read, so it is refused. LEFT_OUT: it is unknown or

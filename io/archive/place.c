@@ -182,17 +182,31 @@ static bool mark_placed(model *m, model_object *o, const model_use *item) {
 }
 
 static bool place_mesh(model *m, const model_object *o, const model_matrix *at) {
+  const bool turned = at->mirrors != o->turned; /* a mirrored triangle keeps its outer side */
   for (size_t n = 0; n < o->count; n++) {
     const uint32_t *index = m->triangle[o->first + n];
     double v[3][3];
-    for (int k = 0; k < 3; k++) { /* a mirrored triangle keeps its outer side */
-      apply(at, m->vertex[o->vertex + index[k]], v[at->mirrors && k > 0 ? 3 - k : k]);
+    for (int k = 0; k < 3; k++) {
+      apply(at, m->vertex[o->vertex + index[k]], v[turned && k > 0 ? 3 - k : k]);
     }
     if (!sepax__builder_triangle(m->p.b, (const double(*)[3])v)) {
       return false;
     }
   }
   return true;
+}
+
+/* Find the placed meshes that are inside out, and name them in the account. */
+static void find_turned(const model *m) {
+  for (size_t n = 0; n < m->objects; n++) {
+    model_object *o = &m->object[n];
+    o->turned = o->is_mesh && o->placed && sepax__model_inside_out(m, o);
+    if (o->turned) {
+      bool root = o->part == m->root;
+      sepax__builder_remark(m->p.b, "meshes inside out, which are turned", "object %zu%s%.60s",
+                            o->id, root ? "" : " of ", root ? "" : m->p.part[o->part].name);
+    }
+  }
 }
 
 static bool place(model *m, const model_object *o, const model_matrix *at) {
@@ -248,6 +262,7 @@ bool sepax__model_place(model *m, size_t *unplaced) {
                       "%.240s: its items make more than %zu triangles; simplify the mesh",
                       m->p.b->path, m->p.b->how.most);
   }
+  find_turned(m);
   for (size_t n = 0; n < m->items; n++) {
     if (!place(m, find_object(m, &m->item[n]), &m->item[n].at)) {
       return false;

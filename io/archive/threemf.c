@@ -148,7 +148,8 @@ static bool name_other_parts(const package *p) {
 bool sepax__threemf_read(mesh_builder *b, size_t *faces) {
   model m = {0};
   bool ok = sepax__package_open(&m.p, b) && find_root(&m) && read_parts(&m) &&
-            sepax__model_place(&m, &b->account.unplaced) && name_other_parts(&m.p);
+            sepax__model_place(&m, &b->account.unplaced) && name_other_parts(&m.p) &&
+            sepax__slicer_volumes(&m.p);
   *faces = m.triangles;
   sepax__package_close(&m.p);
   sepax_release(m.vertex);

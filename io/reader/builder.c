@@ -208,3 +208,34 @@ bool sepax__builder_other(mesh_builder *b, const char *what, size_t count) {
   }
   return true;
 }
+
+void sepax__builder_remark(mesh_builder *b, const char *what, const char *format, ...) {
+  sepax_mesh_account *a = &b->account;
+  size_t n = 0;
+  while (n < a->remarks && strcmp(a->remark[n].what, what) != 0) {
+    n++;
+  }
+  sepax_mesh_remark *r = &a->remark[n];
+  if (n == a->remarks) {
+    snprintf(r->what, sizeof r->what, "%s", what);
+    a->remarks++;
+  }
+  char name[100];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(name, sizeof name, format, args);
+  va_end(args);
+  /* "..." stands for the names from the first on that has no space, and comes once. */
+  static const char more[] = ", ...";
+  size_t used = strlen(r->which);
+  bool full = used >= sizeof more && strcmp(r->which + used + 1 - sizeof more, more) == 0;
+  bool fits = used + strlen(name) + 2 + sizeof more <= sizeof r->which;
+  if (!full) {
+    snprintf(r->which + used, sizeof r->which - used, "%s%s",
+             used == 0 ? ""
+             : fits    ? ", "
+                       : more,
+             fits ? name : "");
+  }
+  r->count++;
+}

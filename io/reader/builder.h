@@ -50,4 +50,9 @@ bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const ch
 /* Count `count` more elements of a kind without a surface. */
 bool sepax__builder_other(mesh_builder *b, const char *what, size_t count);
 
+/* Remark on one more object of the file, whose name is printed by `format`. `what` is one of at
+ * most SEPAX_MESH_REMARKS_MOST texts. */
+void sepax__builder_remark(mesh_builder *b, const char *what, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 #endif

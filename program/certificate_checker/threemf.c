@@ -28,7 +28,8 @@ typedef struct {
   char *part; /* its part and number */
   long number;
   bool placed;
-  bool other; /* of type "other": not to be built */
+  bool other;  /* of type "other": not to be built */
+  bool turned; /* inside out, so its triangles are turned round */
   point *vertex;
   size_t vertices;
   size_t (*triangle)[3];
@@ -165,6 +166,70 @@ static void read_mesh(const package3 *p, xmlNode *node, object *o) {
   }
 }
 
+/* ------------------------------------------------------ meshes that are inside out */
+
+typedef struct {
+  point at;
+  size_t number; /* that of the vertex in the file, or of the first with the same coordinates */
+} numbered;
+
+static int by_place(const void *a, const void *b) {
+  const point p = ((const numbered *)a)->at;
+  const point q = ((const numbered *)b)->at;
+  const long double way = p.x != q.x ? p.x - q.x : p.y != q.y ? p.y - q.y : p.z - q.z;
+  return (way > 0) - (way < 0);
+}
+
+static int by_ends(const void *a, const void *b) {
+  const size_t *p = a;
+  const size_t *q = b;
+  return p[0] != q[0] ? (p[0] > q[0]) - (p[0] < q[0]) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Are there as many edges from each vertex to each other one as back? Vertices in one place are
+ * one. */
+static bool edges_cancel(const object *o) {
+  numbered *v = memory(NULL, o->vertices, sizeof *v);
+  size_t *first = memory(NULL, o->vertices, sizeof *first);
+  size_t(*ahead)[2] = memory(NULL, 3 * o->triangles, sizeof *ahead);
+  size_t(*back)[2] = memory(NULL, 3 * o->triangles, sizeof *back);
+  for (size_t n = 0; n < o->vertices; n++)
+    v[n] = (numbered){o->vertex[n], n};
+  qsort(v, o->vertices, sizeof *v, by_place);
+  for (size_t n = 0; n < o->vertices; n++) {
+    const bool same = n > 0 && by_place(&v[n - 1], &v[n]) == 0;
+    first[v[n].number] = same ? first[v[n - 1].number] : v[n].number;
+  }
+  for (size_t n = 0; n < 3 * o->triangles; n++) {
+    const size_t *corner = o->triangle[n / 3];
+    ahead[n][0] = back[n][1] = first[corner[n % 3]];
+    ahead[n][1] = back[n][0] = first[corner[(n + 1) % 3]];
+  }
+  qsort(ahead, 3 * o->triangles, sizeof *ahead, by_ends);
+  qsort(back, 3 * o->triangles, sizeof *back, by_ends);
+  const bool same = memcmp(ahead, back, 3 * o->triangles * sizeof *ahead) == 0;
+  free(v);
+  free(first);
+  free(ahead);
+  free(back);
+  return same;
+}
+
+/* A closed surface whose volume is negative has its outer side inside. 3MF calls it empty; a file
+ * that builds it means a body. */
+static bool is_inside_out(const object *o) {
+  long double volume = 0;
+  long double size = 0;
+  for (size_t n = 0; n < o->triangles; n++) {
+    point at[3];
+    for (int k = 0; k < 3; k++)
+      at[k] = point_minus(o->vertex[o->triangle[n][k]], o->vertex[o->triangle[0][0]]);
+    volume += point_dot(at[0], point_cross(at[1], at[2]));
+    size += point_length(at[0]) * point_length(at[1]) * point_length(at[2]);
+  }
+  return volume < -1e-15L * size && edges_cancel(o);
+}
+
 static void read_object(package3 *p, char *name, xmlNode *node) {
   object o = {.part = name, .number = whole_of(p, node, "id")};
   for (size_t n = 0; n < p->objects; n++) {
@@ -188,6 +253,7 @@ static void read_object(package3 *p, char *name, xmlNode *node) {
   }
   if (bodies != 1)
     cannot("%s:%ld: object %ld: not one mesh", p->m->file, tree_line(node), o.number);
+  o.turned = is_inside_out(&o);
   GROW(p->object, p->objects);
   p->object[p->objects++] = o;
 }
@@ -242,6 +308,7 @@ static placement transform_of(const package3 *p, const xmlNode *node) {
 static void place(package3 *p, const char *in, const xmlNode *node, placement at, int depth);
 
 static void place_object(package3 *p, const object *o, const placement *at, int depth) {
+  p->m->turned = placement_mirrors(at) != o->turned;
   for (size_t n = 0; n < o->triangles; n++) {
     point corner[3];
     for (int k = 0; k < 3; k++)

@@ -9,8 +9,8 @@
 
 bool report_mesh_is_plain(const report_mesh *mesh) {
   const sepax_mesh_account *a = &mesh->account;
-  return a->others == 0 && a->divided == 0 && a->unplaced == 0 && a->unit_mm <= 0 &&
-         mesh->unit_mm <= 0 && !mesh->welded;
+  return a->others == 0 && a->remarks == 0 && a->divided == 0 && a->unplaced == 0 &&
+         a->unit_mm <= 0 && mesh->unit_mm <= 0 && !mesh->welded;
 }
 
 /* ----------------------------------------------------------------------- text */
@@ -64,6 +64,13 @@ static void print_weld(int width, const report_mesh *mesh) {
   if (!mesh->welded) {
     return;
   }
+static void print_remarks(int width, const sepax_mesh_account *a) {
+  for (size_t n = 0; n < a->remarks; n++) {
+    const sepax_mesh_remark *r = &a->remark[n];
+    printf("%*s%s: %zu (%s)\n", width, "", r->what, r->count, r->which);
+  }
+}
+
   printf("%*swelded within %s mm: ", width, "",
          report_exactly(report_mm(w->length, mesh->unit)).text);
   printf("%zu vertices moved, by up to %.3g mm; %zu triangles without area and %zu that were "
@@ -84,6 +91,7 @@ void report_print_mesh(const char *name, int width, const char *path, const repo
 
 /* ----------------------------------------------------------------------- JSON */
 
+  print_remarks(width, a);
 static json_t *others_of(const sepax_mesh_account *a) {
   json_t *others = json_object();
   for (size_t n = 0; n < a->others; n++) {
@@ -97,6 +105,16 @@ static json_t *weld_of(const report_mesh *mesh) {
   return json_pack("{s:f, s:I, s:f, s:I, s:I, s:I}", "length_mm", report_mm(w->length, mesh->unit),
                    "moved", (json_int_t)w->moved, "farthest_mm", report_mm(w->farthest, mesh->unit),
                    "without_area", (json_int_t)w->degenerate, "twice", (json_int_t)w->duplicates,
+static json_t *remarks_of(const sepax_mesh_account *a) {
+  json_t *remarks = json_array();
+  for (size_t n = 0; n < a->remarks; n++) {
+    const sepax_mesh_remark *r = &a->remark[n];
+    json_array_append_new(remarks, json_pack("{s:s, s:I, s:s}", "what", r->what, "count",
+                                             (json_int_t)r->count, "which", r->which));
+  }
+  return remarks;
+}
+
                    "edges_divided", (json_int_t)w->divided);
 }
 
@@ -116,3 +134,4 @@ void report_set_mesh(json_t *to, const report_mesh *mesh) {
     json_object_set_new(to, "welded", weld_of(mesh));
   }
 }
+  json_object_set_new(to, "remarks", remarks_of(a));

@@ -167,6 +167,156 @@ CASE(supports_and_what_is_not_printed_are_read) {
   sepax_soup_free(&soup);
 }
 
+/* ------------------------------------------------------------ what is remarked on */
+
+/* The tetrahedron of the vertices; its faces run clockwise, as seen from outside. */
+#define INWARD FACE("0", "1", "2") FACE("0", "3", "1") FACE("0", "2", "3") FACE("1", "3", "2")
+#define OUTWARD FACE("0", "2", "1") FACE("0", "1", "3") FACE("0", "3", "2") FACE("1", "2", "3")
+#define SOLID(id, faces) OBJECT(id, "<mesh>" VERTICES "<triangles>" faces "</triangles></mesh>")
+
+static void expect_remark(size_t n, const char *what, size_t count, const char *which) {
+  assert_true(n < account.remarks);
+  assert_string_equal(account.remark[n].what, what);
+  assert_int_equal(account.remark[n].count, count);
+  assert_string_equal(account.remark[n].which, which);
+}
+
+static const char inside_out[] = "meshes inside out, which are turned";
+
+CASE(meshes_inside_out_are_turned) {
+  read_model(PLAIN(SOLID("1", INWARD)));
+  TRIANGLE(0, 0, 0, 0, 0, 2, 0, 1, 0, 0);
+  TRIANGLE(3, 1, 0, 0, 0, 2, 0, 0, 0, 3);
+  assert_int_equal(account.remarks, 1);
+  expect_remark(0, inside_out, 1, "object 1");
+  sepax_soup_free(&soup);
+  read_model(PLAIN(SOLID("1", OUTWARD)));
+  TRIANGLE(0, 0, 0, 0, 0, 2, 0, 1, 0, 0);
+  assert_int_equal(account.remarks, 0);
+  sepax_soup_free(&soup);
+  /* Mirrored, and with it back: of each object once, and not of what is not placed. */
+#define MIRROR "transform='1 0 0 0 1 0 0 0 -1 0 0 0'"
+  read_model(MODEL("", RESOURCES(SOLID("1", INWARD) SOLID("3", INWARD) SOLID("4", INWARD))
+                           BUILD(ITEM("1", MIRROR) ITEM("1", "") ITEM("4", ""))));
+  TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+  TRIANGLE(4, 0, 0, 0, 0, 2, 0, 1, 0, 0);
+  expect_remark(0, inside_out, 2, "object 1, object 4");
+  sepax_soup_free(&soup);
+}
+
+/* The volume of an open mesh, or of one whose sides cancel, says nothing; nor does that of a mesh
+ * of which a triangle is turned. A cavity is wound inwards, but there is less of it. */
+CASE(meshes_that_stay_as_they_are) {
+#define HOLLOW                                                                                 \
+  OBJECT("1",                                                                                  \
+         "<mesh><vertices><vertex x='9' y='9' z='9'/><vertex x='-9' y='9' z='-9'/>"            \
+         "<vertex x='9' y='-9' z='-9'/><vertex x='-9' y='-9' z='9'/><vertex x='1' y='1' "      \
+         "z='1'/><vertex x='-1' y='1' z='-1'/><vertex x='1' y='-1' z='-1'/><vertex "           \
+         "x='-1' y='-1' z='1'/></vertices><triangles>" FACE("0", "2", "1") FACE("0", "1", "3") \
+             FACE("0", "3", "2") FACE("1", "2", "3") FACE("4", "5", "6") FACE("4", "7", "5")   \
+                 FACE("4", "6", "7") FACE("5", "7", "6") "</triangles></mesh>")
+  static const char *const models[] = {
+      PLAIN(SOLID("1", FACE("0", "1", "2") FACE("0", "3", "1") FACE("0", "2", "3"))),
+      PLAIN(SOLID("1",
+                  FACE("0", "1", "2") FACE("0", "3", "1") FACE("0", "2", "3") FACE("1", "2", "3"))),
+      PLAIN(SOLID("1", INWARD OUTWARD)),
+      PLAIN(SOLID("1", FACE("0", "1", "2") FACE("0", "2", "1"))),
+      PLAIN(HOLLOW),
+  };
+  for (size_t n = 0; n < LENGTH(models); n++) {
+    read_model(models[n]);
+    assert_int_equal(account.remarks, 0);
+    if (n < 4) {
+      TRIANGLE(0, 0, 0, 0, 1, 0, 0, 0, 2, 0);
+    }
+    sepax_soup_free(&soup);
+  }
+}
+
+/* Vertices of the same place are one vertex, though the file repeats them; -0 is 0. */
+CASE(inside_out_by_places) {
+  read_model(PLAIN(OBJECT(
+      "1", "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' "
+           "y='2' z='0'/><vertex x='0' y='0' z='3'/><vertex x='0' y='-0' z='3'/></vertices>"
+           "<triangles>" FACE("0", "1", "2") FACE("0", "3", "1") FACE("0", "2", "4")
+               FACE("1", "4", "2") "</triangles></mesh>")));
+  expect_remark(0, inside_out, 1, "object 1");
+  sepax_soup_free(&soup);
+}
+
+static const char *put_settings(const char *name, const char *settings) {
+  const char *const entry[] = {"_rels/.rels",
+                               RELATIONS(RELATION("/3D/3dmodel.model", "")),
+                               "3D/3dmodel.model",
+                               PLAIN(OBJECT("1", MESH)),
+                               name,
+                               settings,
+                               NULL};
+  return put_archive(entry, ZIP_CM_DEFLATE);
+}
+
+static void read_settings(const char *name, const char *settings) {
+  read_archive(put_settings(name, settings));
+  assert_read(1, 1, 0);
+  assert_int_equal(others("parts of the package that are no models"), 1);
+}
+
+#define BAMBU "Metadata/model_settings.config"
+#define PRUSA "Metadata/Slic3r_PE_model.config"
+#define KEY(key, value) "<metadata type='volume' key='" key "' value='" value "'/>"
+#define VOLUME(first, last, inside) \
+  "<volume firstid='" first "' lastid='" last "'>" inside "<mesh edges_fixed='0'/></volume>"
+
+/* What slicers say is no material is read, and named. */
+CASE(volumes_of_slicers) {
+  read_settings(BAMBU,
+                "<?xml version='1.0'?><config><object id='3'><metadata key='name' "
+                "value='modifier'/><part id='1' subtype='normal_part'/>"
+                "<part id='2' subtype='modifier_part'><metadata key='name' value='x'/></part>"
+                "<part id='4' subtype='negative_part'/></object><object id='7'>"
+                "<part id='5' subtype='modifier_part'/><part id='6' "
+                "subtype='support_blocker'/><part id='8' subtype='support_enforcer'/>"
+                "<part id='9'/></object><plate/></config>");
+  assert_int_equal(account.remarks, 4);
+  expect_remark(0, "modifiers, which count as material", 2,
+                "part 2 of object 3, part 5 of object 7");
+  expect_remark(1, "negative volumes, which count as material", 1, "part 4 of object 3");
+  expect_remark(2, "support blockers, which count as material", 1, "part 6 of object 7");
+  expect_remark(3, "support enforcers, which count as material", 1, "part 8 of object 7");
+  sepax_soup_free(&soup);
+  read_settings(
+      PRUSA,
+      "<config><object id='1'>" VOLUME("0", "11", KEY("volume_type", "ModelPart")) VOLUME(
+          "12", "23", KEY("name", "m") KEY("modifier", "1") KEY("volume_type", "ParameterModifier"))
+          VOLUME("24", "35", KEY("volume_type", "NegativeVolume"))
+              VOLUME("36", "47", KEY("modifier", "1")) VOLUME("48", "59", KEY("modifier", "0"))
+                  VOLUME("60", "71", KEY("volume_type", "SupportBlocker"))
+                      VOLUME("72", "83", KEY("volume_type", "SupportEnforcer")) //
+      "</object></config>");
+  assert_int_equal(account.remarks, 4);
+  expect_remark(0, "modifiers, which count as material", 2,
+                "triangles 12 ... 23 of object 1, triangles 36 ... 47 of object 1");
+  expect_remark(1, "negative volumes, which count as material", 1,
+                "triangles 24 ... 35 of object 1");
+  sepax_soup_free(&soup);
+  refuse_archive(put_settings(BAMBU, "<config><object></config>"),
+                 "part Metadata/model_settings.config:1: ");
+}
+
+/* Names that have no space are told by "...", and counted. */
+CASE(many_remarks) {
+  static char text[100 * 60 + 100] = "<config><object id='3'>";
+  for (int n = 0; n < 100; n++) {
+    snprintf(text + strlen(text), 60, "<part id='%d' subtype='modifier_part'/>", n);
+  }
+  strcat(text, "</object></config>");
+  read_settings(BAMBU, text);
+  expect_remark(0, "modifiers, which count as material", 100,
+                "part 0 of object 3, part 1 of object 3, part 2 of object 3, part 3 of object 3, "
+                "part 4 of object 3, part 5 of object 3, part 6 of object 3, ...");
+  sepax_soup_free(&soup);
+}
+
 /* Each part has its own objects; an extension is known by its namespace, whatever its prefix. */
 CASE(production) {
   static const char root[] = MODEL(
