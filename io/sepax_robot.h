@@ -54,11 +54,12 @@ typedef struct {
   long line;
 } sepax_bare_shape;
 
-/* Elements of a file that were passed over: their name, and how many there are. A name that ends in
- * '=' is an attribute. */
+/* Elements of a file that were passed over: their name, how many there are, and the line of the
+ * first. A name that ends in '=' is an attribute, and one that ends in a quote is text. */
 typedef struct {
   char *what;
   size_t count;
+  long line;
 } sepax_robot_other;
 
 typedef struct {

@@ -185,7 +185,7 @@ static bool check_texts(const dae *d) {
     bool is_text = n->type == XML_TEXT_NODE || n->type == XML_CDATA_SECTION_NODE;
     if (is_text && n->content != NULL &&
         n->content[strspn((const char *)n->content, blanks)] != 0 && is_container(n->parent)) {
-      return sepax__dae_fail(d, n->parent, "<%.40s> has text between its elements; export it again",
+      return sepax__dae_fail(d, n, "<%.40s> has text between its elements; export it again",
                              (const char *)n->parent->name);
     }
     bool enters = n->type == XML_ELEMENT_NODE && n->children != NULL && !sepax__xml_is(n, "extra");

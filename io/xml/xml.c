@@ -8,6 +8,8 @@
 
 #include <libxml/SAX2.h>
 #include <libxml/parser.h>
+#include <limits.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,6 +21,11 @@ static const size_t XML_BYTES_MOST = (size_t)16 << 20;
 
 static const char blanks[] = " \t\r\n";
 
+long sepax__xml_line(const xmlNode *node) {
+  const bool known = node != NULL && node->type == XML_TEXT_NODE && node->_private != NULL;
+  return known ? (long)(intptr_t)node->_private : xmlGetLineNo(node);
+}
+
 bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
                      const char *format, ...) {
   char detail[240];
@@ -26,13 +33,13 @@ bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *err
   va_start(args, format);
   vsnprintf(detail, sizeof detail, format, args);
   va_end(args);
-  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%ld: %s", file->path, xmlGetLineNo(node),
+  return sepax_fail(error, SEPAX_ERROR_FORMAT, "%.240s:%ld: %s", file->path, sepax__xml_line(node),
                     detail);
 }
 
 bool sepax__xml_no_memory(const xml_file *file, const xmlNode *node, sepax_error *error) {
   return sepax_fail(error, SEPAX_ERROR_MEMORY, "%.240s:%ld: no memory to read it", file->path,
-                    xmlGetLineNo(node));
+                    sepax__xml_line(node));
 }
 
 bool sepax__xml_fail_as(const xml_file *file, const xmlNode *node, sepax_error *error,
@@ -54,6 +61,39 @@ typedef struct {
   size_t elements; /* and attributes */
 } xml_parse;
 
+static int lines_in(const xmlChar *from, const xmlChar *to) {
+  int lines = 0;
+  while (from < to && (from = memchr(from, '\n', (size_t)(to - from))) != NULL) {
+    from++;
+    lines++;
+  }
+  return lines;
+}
+
+/* The parser stands behind the attributes of a tag. No '<' is among them, so the last one begins
+ * the tag. */
+static int line_of_tag(const xmlParserCtxt *parser) {
+  const xmlChar *from = parser->input->cur;
+  while (from > parser->input->base && *from != '<') {
+    from--;
+  }
+  return parser->input->line - lines_in(from, parser->input->cur);
+}
+
+/* libxml2 has the line in which a text ends, or a piece of it. Keep the line of its first word. */
+static void add_text(void *context, const xmlChar *text, int length) {
+  const xmlParserCtxt *parser = context;
+  int n = 0;
+  xmlSAX2Characters(context, text, length);
+  xmlNode *last = parser->node != NULL ? parser->node->last : NULL;
+  while (n < length && strchr(blanks, text[n]) != NULL) {
+    n++;
+  }
+  if (n < length && last != NULL && last->type == XML_TEXT_NODE && last->_private == NULL) {
+    last->_private = (void *)(intptr_t)(parser->input->line - lines_in(text + n, text + length));
+  }
+}
+
 static void start_element(void *context, const xmlChar *name, const xmlChar *prefix,
                           const xmlChar *space, int space_count, const xmlChar **spaces,
                           int attributes, int defaulted, const xmlChar **attribute) {
@@ -69,6 +109,10 @@ static void start_element(void *context, const xmlChar *name, const xmlChar *pre
   }
   xmlSAX2StartElementNs(context, name, prefix, space, space_count, spaces, attributes, defaulted,
                         attribute);
+  const int line = line_of_tag(parser);
+  if (parser->node != NULL && line < USHRT_MAX) { /* beyond, libxml2 keeps lines in texts */
+    parser->node->line = (unsigned short)line;
+  }
 }
 
 /* A document type is where entities come from: the parser ends before it reads one. */
@@ -133,6 +177,7 @@ bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_
     parser->_private = &parse;
     parser->sax->internalSubset = refuse_type;
     parser->sax->startElementNs = start_element;
+    parser->sax->characters = add_text;
     parser->sax->serror = end_at_error;
     parser->sax->comment = NULL;
     parser->sax->processingInstruction = NULL;

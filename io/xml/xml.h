@@ -23,6 +23,9 @@ bool sepax__xml_parse(xml_file *file, const char *path, const char *bytes, size_
                       const char *root, sepax_error *error);
 void sepax__xml_close(xml_file *file);
 
+/* The line of the file in which an element's tag begins, or in which a text has its first word. */
+long sepax__xml_line(const xmlNode *node);
+
 /* "PATH:LINE: ..."; false. */
 bool sepax__xml_fail(const xml_file *file, const xmlNode *node, sepax_error *error,
                      const char *format, ...) __attribute__((format(printf, 4, 5)));

@@ -101,7 +101,7 @@ static void read_joint(const urdf_file *u, xmlNode *node, robot *r) {
   if (new.parent < 0 || new.child < 0)
     cannot("%s: joint %s: no such link", u->file, new.name);
   long double xyz[3] = {1, 0, 0};
-  urdf_only_attributes(u, urdf_single(u, node, "axis"), "xyz");
+  urdf_only_attributes(u, urdf_single(u, node, "axis"), "xyz rpy");
   urdf_numbers(u, urdf_single(u, node, "axis"), "xyz", 3, xyz);
   urdf_single(u, node, "limit"); /* not read */
   const point axis = {xyz[0], xyz[1], xyz[2]};

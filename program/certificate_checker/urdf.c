@@ -26,7 +26,8 @@ bool urdf_is_word(const char *words, const char *word) {
 
 void urdf_only_attributes(const urdf_file *u, const xmlNode *node, const char *names) {
   for (const xmlAttr *n = node == NULL ? NULL : node->properties; n != NULL; n = n->next) {
-    if (n->ns == NULL && !urdf_is_word(names, (const char *)n->name))
+    if (n->ns == NULL && strcmp((const char *)n->name, "name") != 0 &&
+        !urdf_is_word(names, (const char *)n->name))
       cannot("%s:%ld: unknown attribute %s of %s", u->file, tree_line(node), (const char *)n->name,
              (const char *)node->name);
   }

@@ -97,7 +97,7 @@ static const char *meant(const checker *c, const char *name) {
 /* ------------------------------------------------------------------------ others */
 
 /* False without memory, or if there are more than OTHERS_MOST. */
-static bool count_other(sepax_robot_others *others, const char *what) {
+static bool count_other(sepax_robot_others *others, const char *what, long line) {
   size_t n = 0;
   while (n < others->count && strcmp(others->entry[n].what, what) != 0) {
     n++;
@@ -112,7 +112,7 @@ static bool count_other(sepax_robot_others *others, const char *what) {
       return false;
     }
     memcpy(copy, what, size);
-    others->entry[others->count++] = (sepax_robot_other){copy, 0};
+    others->entry[others->count++] = (sepax_robot_other){copy, 0, line};
   }
   others->entry[n].count++;
   return true;
@@ -133,12 +133,12 @@ static bool is_xacro(const xmlNode *node) {
          strncmp(name_of(node), "xacro:", strlen("xacro:")) == 0;
 }
 
-static bool add(const checker *c, const xmlNode *at, const char *prefix, const char *name,
-                const char *end, sepax_error *error) {
+/* Count what begins in the line of `at`: its name is `before`, `between` and `after` in one. */
+static bool add(const checker *c, const xmlNode *at, const char *before, const char *between,
+                const char *after, const char *end, sepax_error *error) {
   char what[200];
-  snprintf(what, sizeof what, "%.60s%s%.100s%s", prefix != NULL ? prefix : "",
-           prefix != NULL ? ":" : "", name, end);
-  if (count_other(c->others, what)) {
+  snprintf(what, sizeof what, "%.60s%s%.100s%s", before, between, after, end);
+  if (count_other(c->others, what, sepax__xml_line(at))) {
     return true;
   }
   return c->others->count < OTHERS_MOST
@@ -148,8 +148,13 @@ static bool add(const checker *c, const xmlNode *at, const char *prefix, const c
                                name_of(at), OTHERS_MOST);
 }
 
+static bool add_named(const checker *c, const xmlNode *at, const char *prefix, const char *name,
+                      const char *end, sepax_error *error) {
+  return add(c, at, prefix != NULL ? prefix : "", prefix != NULL ? ":" : "", name, end, error);
+}
+
 static bool pass_over(const checker *c, xmlNode *node, sepax_error *error) {
-  bool ok = add(c, node, prefix_of(node->ns), name_of(node), "", error);
+  bool ok = add_named(c, node, prefix_of(node->ns), name_of(node), "", error);
   xmlUnlinkNode(node);
   xmlFreeNode(node);
   return ok;
@@ -169,13 +174,26 @@ static bool fail_attribute(const checker *c, const xmlNode *node, const char *na
                                row->name, name, row->name, row->attributes);
 }
 
+/* Has the element one of the attributes that are read? */
+static bool has_own(const xmlNode *node, const element_row *row) {
+  bool has = false;
+  for (const xmlAttr *a = node->properties; a != NULL; a = a->next) {
+    has = has || (a->ns == NULL && has_word(row->attributes, (const char *)a->name));
+  }
+  return has;
+}
+
 static bool check_attributes(const checker *c, xmlNode *node, const element_row *row,
                              sepax_error *error) {
   for (const xmlAttr *a = node->properties; a != NULL; a = a->next) {
     const char *name = (const char *)a->name;
     const char *prefix = prefix_of(a->ns);
     if (prefix != NULL || strchr(name, ':') != NULL) {
-      if (!add(c, node, prefix, name, "=", error)) {
+      if (!add_named(c, node, prefix, name, "=", error)) {
+        return false;
+      }
+    } else if (has_word(row->stray, name) && has_own(node, row)) {
+      if (!add(c, node, row->name, " ", name, "=", error)) {
         return false;
       }
     } else if (!has_word(row->attributes, name) && !has_word(row->idle, name)) {
@@ -205,15 +223,51 @@ static bool fail_child(const checker *c, const xmlNode *node, const element_row 
                          row->children, row->children[0] != '\0' ? ")" : "");
 }
 
-static bool fail_text(const checker *c, const xmlNode *text, const xmlNode *in,
-                      sepax_error *error) {
+/* Is a word nearly the name of an element that is read, or of one of its attributes? */
+static bool is_nearly_known(const checker *c, const char *word) {
+  bool near = meant(c, word) != NULL;
+  for (const element_row *row = c->table; row->name != NULL; row++) {
+    for (const char *at = row->attributes; *at != '\0' && !near;) {
+      char name[40];
+      size_t size = strcspn(at, " ");
+      snprintf(name, sizeof name, "%.*s", (int)size, at);
+      near = distance_of(word, name) <= 1;
+      at += size;
+      at += strspn(at, " ");
+    }
+  }
+  return near;
+}
+
+/* May the text be meant as an element, an attribute or a value? */
+static bool may_be_meant(const checker *c, const char *text, const element_row *in) {
+  bool may = in->children[0] == '\0' || strpbrk(text, "0123456789$") != NULL;
+  while (*text != '\0' && !may) {
+    char word[48];
+    size_t size = 0;
+    while (text[size] == '_' || isalpha((unsigned char)text[size])) {
+      size++;
+    }
+    snprintf(word, sizeof word, "%.*s", (int)least(size, sizeof word - 1), text);
+    may = size > 0 && is_nearly_known(c, word);
+    text += size > 0 ? size : 1;
+  }
+  return may;
+}
+
+static bool check_text(const checker *c, const xmlNode *text, const element_row *in,
+                       sepax_error *error) {
   static const char blanks[] = " \t\r\n";
-  const char *word = text->content != NULL ? (const char *)text->content : "";
-  word += strspn(word, blanks);
-  return sepax__xml_fail(
-      c->file, in, error,
-      "<%.40s>: it contains the text '%.*s', which has no meaning there; leave it out", name_of(in),
-      (int)least(strcspn(word, blanks), 40), word);
+  const char *all = text->content != NULL ? (const char *)text->content : "";
+  const char *word = all + strspn(all, blanks);
+  char shown[44];
+  snprintf(shown, sizeof shown, "%.*s", (int)least(strcspn(word, blanks), 40), word);
+  return may_be_meant(c, all, in)
+             ? sepax__xml_fail(c->file, text, error,
+                               "<%.40s>: it contains the text '%s', which has no meaning there; "
+                               "leave it out",
+                               in->name, shown)
+             : add(c, text, "text", " '", shown, "'", error);
 }
 
 static bool check_element(const checker *c, xmlNode *node, const element_row *row,
@@ -247,12 +301,11 @@ static bool check_element(const checker *c, xmlNode *node, const element_row *ro
   }
   for (xmlNode *child = node->children; child != NULL;) {
     xmlNode *next = child->next; /* the child may be freed */
-    bool text = (child->type == XML_TEXT_NODE && !xmlIsBlankNode(child)) ||
-                child->type == XML_CDATA_SECTION_NODE;
-    if (text) {
-      return fail_text(c, child, node, error);
-    }
-    if (child->type == XML_ELEMENT_NODE && !check_child(c, child, row, error)) {
+    if (child->type == XML_TEXT_NODE && !xmlIsBlankNode(child)) {
+      if (!check_text(c, child, row, error)) {
+        return false;
+      }
+    } else if (child->type == XML_ELEMENT_NODE && !check_child(c, child, row, error)) {
       return false;
     }
     child = next;

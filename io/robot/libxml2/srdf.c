@@ -55,14 +55,15 @@ static bool read_defaults(const xml_file *file, bool *compared, const sepax_mech
 
 /* What else an SRDF may have is of planning groups, and says nothing of pairs. */
 static const element_row elements[] = {
-    {"robot", "name", "version", "disable_collisions enable_collisions disable_default_collisions",
+    {"robot", "name", "version", "",
+     "disable_collisions enable_collisions disable_default_collisions",
      "group group_state end_effector virtual_joint passive_joint joint_property gripper "
      "link_sphere_approximation group_tcps rotor_params specificities",
      true},
-    {"disable_collisions", "link1 link2", "reason", "", "", false},
-    {"enable_collisions", "link1 link2", "reason", "", "", false},
-    {"disable_default_collisions", "link", "reason", "", "", false},
-    {NULL, NULL, NULL, NULL, NULL, false}};
+    {"disable_collisions", "link1 link2", "reason", "", "", "", false},
+    {"enable_collisions", "link1 link2", "reason", "", "", "", false},
+    {"disable_default_collisions", "link", "reason", "", "", "", false},
+    {NULL, NULL, NULL, NULL, NULL, NULL, false}};
 
 /* A misspelt element would leave its pair compared, and a URDF all of them. What else a file may
  * have, as groups, names no links in this way. */

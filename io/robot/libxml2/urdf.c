@@ -11,33 +11,33 @@
 
 /* URDF 1.0 ... 1.2, and what files of robots add to it. */
 static const element_row elements[] = {
-    {"robot", "name version", "", "link joint",
+    {"robot", "name version", "", "", "link joint",
      "material transmission gazebo sensor ros2_control group group_state end_effector "
      "virtual_joint passive_joint disable_collisions enable_collisions disable_default_collisions",
      true},
-    {"link", "name", "type", "collision",
+    {"link", "name", "type", "", "collision",
      "visual inertial contact gravity kinematic self_collide self_filter surface sensor gazebo "
      "collision_checking self_collision_checking",
      true},
-    {"collision", "", "name group concave", "origin geometry",
+    {"collision", "", "name group concave", "", "origin geometry",
      "material verbose contact contact_coefficients surface", false},
-    {"geometry", "", "name", "mesh box cylinder sphere capsule", "", false},
-    {"mesh", "filename scale", "", "", "", false},
-    {"box", "size", "", "", "", false},
-    {"cylinder", "radius length", "", "", "", false},
-    {"sphere", "radius", "", "", "", false},
-    {"capsule", "radius length", "", "", "", false},
-    {"origin", "xyz rpy quat_xyzw", "", "", "", false},
-    {"joint", "name type", "dont_collapse", "origin parent child axis limit mimic",
+    {"geometry", "", "name", "", "mesh box cylinder sphere capsule", "", false},
+    {"mesh", "filename scale", "", "name", "", "", false},
+    {"box", "size", "", "name", "", "", false},
+    {"cylinder", "radius length", "", "name", "", "", false},
+    {"sphere", "radius", "", "name", "", "", false},
+    {"capsule", "radius length", "", "name", "", "", false},
+    {"origin", "xyz rpy quat_xyzw", "", "name", "", "", false},
+    {"joint", "name type", "dont_collapse", "", "origin parent child axis limit mimic",
      "dynamics calibration safety_controller gazebo", true},
-    {"parent", "link", "", "", "", false},
-    {"child", "link", "", "", "", false},
-    {"axis", "xyz", "", "", "", false},
+    {"parent", "link", "", "name", "", "", false},
+    {"child", "link", "", "name", "", "", false},
+    {"axis", "xyz", "", "rpy name", "", "", false},
     {"limit", "lower upper",
-     "effort velocity acceleration deceleration jerk command_effort current gear_velocity", "", "",
-     false},
-    {"mimic", "joint multiplier offset", "", "", "", false},
-    {NULL, NULL, NULL, NULL, NULL, false}};
+     "effort velocity acceleration deceleration jerk command_effort current gear_velocity", "name",
+     "", "", false},
+    {"mimic", "joint multiplier offset", "", "name", "", "", false},
+    {NULL, NULL, NULL, NULL, NULL, NULL, false}};
 
 /* Without the attribute: 1.0. */
 static bool read_version(urdf_reader *r, sepax_error *error) {

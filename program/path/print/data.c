@@ -226,9 +226,10 @@ static json_t *nothings_of(const sepax_robot *robot) {
 
 static void add_others(json_t *list, const char *file, const sepax_robot_others *others) {
   for (size_t n = 0; n < others->count; n++) {
-    json_array_append_new(list,
-                          json_pack("{s:s, s:s, s:I}", "file", file, "what", others->entry[n].what,
-                                    "count", (json_int_t)others->entry[n].count));
+    json_array_append_new(list, json_pack("{s:s, s:s, s:I, s:I}", "file", file, "what",
+                                          others->entry[n].what, "count",
+                                          (json_int_t)others->entry[n].count, "line",
+                                          (json_int_t)others->entry[n].line));
   }
 }
 

@@ -113,9 +113,12 @@ static void print_nothings(const path_scene *scene) {
 static void print_others(const char *file, const sepax_robot_others *others) {
   for (size_t n = 0; n < others->count; n++) {
     const sepax_robot_other *other = &others->entry[n];
-    bool attribute = other->what[strlen(other->what) - 1] == '=';
-    printf("%s%zu %s%s%s", n == 0 ? "passed over: " : ", ", other->count, attribute ? "" : "<",
-           other->what, attribute ? "" : ">");
+    bool element = strchr("='", other->what[strlen(other->what) - 1]) == NULL;
+    printf("%s%zu %s%s%s", n == 0 ? "passed over: " : ", ", other->count, element ? "<" : "",
+           other->what, element ? ">" : "");
+    if (!element) { /* which may be an oversight, so the user is led to it */
+      printf(" (line %ld)", other->line);
+    }
   }
   if (others->count > 0) {
     printf(" of %s\n", file);

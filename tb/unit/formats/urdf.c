@@ -333,6 +333,55 @@ CASE(test_passed_over) {
   sepax_robot_free(&r);
 }
 
+/* Text between elements, and attributes that mean nothing where they stand, with their lines. */
+CASE(test_strays) {
+  sepax_robot r;
+  assert_works(read_text(
+      &r, "<robot name='r'>\n\n  -\n<link name='a'/>\n<link name='b'><collision> ;\n"
+          "<geometry><box\n size='1 1 1' name='n'/></geometry></collision>\n\n"
+          "<!-- comment -->\n -\n</link>\n"
+          "<joint name='j' type='continuous'><parent link='a'/><child link='b'/>\n"
+          "<axis rpy='0 0 1' xyz='0 1 0'/></joint>\n<![CDATA[\n\xe2\x80\x94\n]]></robot>"));
+  static const char *const what[] = {"text '-'", "text ';'",
+                                     "box name=", "axis rpy=", "text '\xe2\x80\x94'"};
+  static const size_t count[] = {2, 1, 1, 1, 1};
+  static const long line[] = {3, 5, 6, 13, 15};
+  expect_others(&r.others, what, count, LENGTH(what));
+  for (size_t n = 0; n < LENGTH(what); n++) {
+    assert_int_equal(r.others.entry[n].line, line[n]);
+  }
+  assert_true(r.mechanism.joint[0].axis[1] == 1);
+  assert_int_equal(r.shapes, 1);
+  sepax_robot_free(&r);
+}
+
+/* What may be meant as something that is read stays an error, in the line where it stands. */
+CASE(test_strays_refused) {
+  static const char *const rows[][2] = {
+      {"<link\n\n name='a'\n foo='1'/>", "r.urdf:2: <link foo=\"...\">"},
+      {"<link name='a'/>\n\n 1 2\n", "r.urdf:4: <robot>: it contains the text '1', which"},
+      {"<link name='a'/>\norigin xyz=''/>", "r.urdf:3: <robot>: it contains the text 'origin'"},
+      {"<link name='a'/>\n- Collison -", "the text '-'"},
+      {"<link name='a'/>\nlink", "the text 'link'"},
+      {"<link name='a'/>\nsiz", "the text 'siz'"},
+      {"<link name='a'/>\n${x}", "the text '${x}'"},
+      {"<link name='a'><collision><origin>\n-</origin></collision></link>",
+       "r.urdf:3: <origin>: it contains the text '-'"},
+  };
+  for (size_t n = 0; n < LENGTH(rows); n++) {
+    char text[300];
+    snprintf(text, sizeof text, HEAD "%s" TAIL, rows[n][0]);
+    refuse_text(text, rows[n][1]);
+  }
+  /* It may be the xyz that is not there. */
+  refuse_text(HEAD TWO JOINT("continuous", "<axis rpy='0 0 1'/>") TAIL,
+              "r.urdf:4: <axis rpy=\"...\">: <axis> has the attributes xyz");
+  refuse_text(HEAD TWO JOINT("continuous", "<axis xyz='0 0 1' rpy2='0'/>") TAIL, "<axis rpy2=");
+  refuse_text(HEAD TWO
+              "<joint name='j' type='fixed'><parent name='a'/><child link='b'/></joint>" TAIL,
+              "<parent name=\"...\">: <parent> has the attributes link");
+}
+
 /* Nothing of what may be meant as geometry, or as its place, is passed over. */
 CASE(test_elements_refused) {
   static const char *const link[][2] = {
