@@ -50,12 +50,13 @@ typedef struct {
   size_t triangles;   /* triangles of the result; a face that is placed twice counts twice */
   size_t divided;     /* polygons of more than three corners that were divided into triangles */
   size_t bent;        /* divided polygons whose corners do not lie in one plane */
+  size_t fans;        /* divided polygons that cross themselves; see sepax_mesh_reading.fans */
   size_t unplaced;    /* faces of meshes that are in the file but placed nowhere (3MF, DAE) */
   sepax_mesh_other other[SEPAX_MESH_OTHERS_MOST]; /* in the order of the file */
   size_t others;                                  /* number of entries of `other` */
-} sepax_mesh_account;
   sepax_mesh_remark remark[SEPAX_MESH_REMARKS_MOST];
   size_t remarks; /* number of entries of `remark` */
+} sepax_mesh_account;
 
 /* Options of sepax_mesh_read. */
 typedef struct {
@@ -67,6 +68,8 @@ typedef struct {
   double result_mm; /* length in mm of the result's unit, 0 ... 1e12. Coordinates are multiplied by
                        (unit of the file) / (unit of the result) and rounded. 0, or a file without a
                        unit: coordinates stay */
+  bool fans; /* divide a polygon that crosses itself into a fan of triangles about its first corner,
+                as many programs do, and count it in the account; false: refuse the file */
 } sepax_mesh_reading;
 
 /* Read the mesh of a file into `soup`. Free the soup with sepax_soup_free. The content of the file

@@ -113,6 +113,7 @@ typedef struct {
                   PLY are metres, as in robots' programs. DAE files have their own unit. A
                   millimetre of a 3MF counts as one metre, as for the STL files of its writers */
   bool unplaced; /* do not apply the origin: the result has the shape's own coordinates */
+  bool fans;     /* of a mesh: that of sepax_mesh_reading */
 } sepax_shape_reading;
 
 /* The surface of a shape in the link's coordinates, in metres. Spheres, cylinders and capsules

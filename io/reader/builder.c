@@ -124,8 +124,9 @@ static bool divided(const mesh_builder *b, polygon_result result, size_t count, 
         what, number, count, POLYGON_CORNERS_MOST);
   case POLYGON_CROSSES:
     return sepax__builder_fail_line(
-        b, line, "%s %zu: a polygon of %zu corners crosses itself; export triangles", what, number,
-        count);
+        b, line,
+        "%s %zu: a polygon of %zu corners crosses itself; export triangles, or give --polygons=fan",
+        what, number, count);
   case POLYGON_DIVIDED:
     break;
   }
@@ -170,8 +171,14 @@ bool sepax__builder_polygon(mesh_builder *b, size_t count, size_t line, const ch
     return sepax__builder_fail_memory(b);
   }
   reorder(b->corner, count, first, back);
-  if (!divided(b, sepax__polygon_divide(corner, count, b->triangle, &bent), count, line, what,
-               number)) {
+  polygon_result result = sepax__polygon_divide(corner, count, b->triangle, &bent);
+  if (result == POLYGON_CROSSES && b->how.fans) {
+    /* Other programs take the first corner of the file, also of the second side of a face. */
+    sepax__polygon_fan(count, back ? first : (count - first) % count, b->triangle);
+    b->account.fans++;
+    result = POLYGON_DIVIDED;
+  }
+  if (!divided(b, result, count, line, what, number)) {
     return false;
   }
   b->account.divided++;

@@ -134,11 +134,11 @@ static bool is_fan(const double (*corner)[3], size_t count, int axis) {
   return way != 0;
 }
 
-static void fill_fan(size_t (*triangle)[3], size_t count) {
+void sepax__polygon_fan(size_t count, size_t first, size_t (*triangle)[3]) {
   for (size_t n = 1; n + 1 < count; n++) {
-    triangle[n - 1][0] = 0;
-    triangle[n - 1][1] = n;
-    triangle[n - 1][2] = n + 1;
+    triangle[n - 1][0] = first;
+    triangle[n - 1][1] = (first + n) % count;
+    triangle[n - 1][2] = (first + n + 1) % count;
   }
 }
 
@@ -151,13 +151,13 @@ polygon_result sepax__polygon_divide(const double (*corner)[3], size_t count, si
   double area[3];
   *bent = false;
   if (!find_base(corner, count, base)) {
-    fill_fan(triangle, count);
+    sepax__polygon_fan(count, 0, triangle);
     return POLYGON_DIVIDED;
   }
   *bent = is_bent(corner, count, base);
   order_axes(corner, count, axis, area);
   if (is_fan(corner, count, axis[0])) {
-    fill_fan(triangle, count);
+    sepax__polygon_fan(count, 0, triangle);
     return POLYGON_DIVIDED;
   }
   if (count > POLYGON_CORNERS_MOST) {
@@ -177,7 +177,7 @@ polygon_result sepax__polygon_divide(const double (*corner)[3], size_t count, si
   }
   /* Two triangles that share an edge, and are in no common plane, meet nowhere else. */
   if (*bent && count == 4) {
-    fill_fan(triangle, count);
+    sepax__polygon_fan(count, 0, triangle);
     return POLYGON_DIVIDED;
   }
   return POLYGON_CROSSES;

@@ -42,4 +42,8 @@ enum { POLYGON_CORNERS_MOST = 20000 };
 polygon_result sepax__polygon_divide(const double (*corner)[3], size_t count, size_t (*triangle)[3],
                                      bool *bent);
 
+/* Of the same polygon, the fan of corner `first`: the triangles (first, k, k + 1). A corner beyond
+ * the last is the first one. */
+void sepax__polygon_fan(size_t count, size_t first, size_t (*triangle)[3]);
+
 #endif

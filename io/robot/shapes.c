@@ -212,19 +212,21 @@ static bool make_capsule(sepax_soup *mesh, double radius, double length, sepax_e
 
 /* -------------------------------------------------------------------------- places */
 
+/* A mesh that the factors mirror is turned round, triangle by triangle, so that its outer side
+ * remains the outer one. */
 static void scale_mesh(sepax_soup *mesh, const double scale[3]) {
+  const bool mirrors = ((scale[0] < 0) ^ (scale[1] < 0) ^ (scale[2] < 0)) != 0;
   for (size_t n = 0; n < 9 * mesh->count; n++) {
     mesh->facet[n / 9].v[n % 9 / 3][n % 3] *= scale[n % 3];
-  const bool mirrors = ((scale[0] < 0) ^ (scale[1] < 0) ^ (scale[2] < 0)) != 0;
   }
-}
-
   for (size_t n = 0; n < mesh->count && mirrors; n++) {
     double second[3];
     memcpy(second, mesh->facet[n].v[1], sizeof second);
     memcpy(mesh->facet[n].v[1], mesh->facet[n].v[2], sizeof second);
     memcpy(mesh->facet[n].v[2], second, sizeof second);
   }
+}
+
 static bool is_at_origin(const sepax_pose *pose) {
   for (int i = 0; i < 9; i++) {
     if (pose->rotation[i / 3][i % 3] != (i / 3 == i % 3)) {
@@ -300,9 +302,11 @@ bool sepax__distinct(sepax_soup *mesh) {
 }
 
 static bool read_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax_shape *shape,
-                      double unit, sepax_error *error) {
+                      const sepax_shape_reading *how, sepax_error *error) {
   static const double metre = 1000; /* mm */
-  if (!sepax_mesh_read(mesh, account, shape->path, NULL, error)) {
+  const sepax_mesh_reading file = {.size = sizeof file, .fans = how->fans};
+  double unit = how->unit;
+  if (!sepax_mesh_read(mesh, account, shape->path, &file, error)) {
     return false;
   }
   if (unit == 0) {
@@ -316,10 +320,10 @@ static bool read_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax
 }
 
 static bool make_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax_shape *shape,
-                      double unit, sepax_error *error) {
+                      const sepax_shape_reading *how, sepax_error *error) {
   switch (shape->kind) {
   case SEPAX_SHAPE_MESH:
-    return read_mesh(mesh, account, shape, unit, error);
+    return read_mesh(mesh, account, shape, how, error);
   case SEPAX_SHAPE_BOX:
     return make_box(mesh, shape->size, error);
   case SEPAX_SHAPE_CYLINDER:
@@ -347,7 +351,7 @@ bool sepax_shape_mesh(sepax_soup *mesh, sepax_mesh_account *account, const sepax
     return sepax_fail(error, SEPAX_ERROR_ARGUMENT, "a unit of %g m is not within 0 ... 1e9 m",
                       h.unit);
   }
-  if (!make_mesh(mesh, account, shape, h.unit, error)) {
+  if (!make_mesh(mesh, account, shape, &h, error)) {
     sepax_soup_free(mesh);
     return false;
   }

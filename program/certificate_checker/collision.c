@@ -72,7 +72,10 @@ static void read_mesh(const urdf_file *u, xmlNode *node, pose at, surface *body)
   const long double unit = strcmp(m.format, "3MF") == 0   ? m.unit_mm
                            : strcmp(m.format, "DAE") == 0 ? m.unit_mm / 1000
                                                           : 1;
+  m.fans = files_has(u->files, name, "polygons_as_fans");
   surface_mesh(body, &m, (point){unit * scale[0], unit * scale[1], unit * scale[2]}, at);
+  if (m.fans)
+    files_count(u->files, name, "polygons_as_fans", (long double)m.fanned);
   mesh_free(&m);
   free(bytes);
   free(file);

@@ -56,6 +56,10 @@ char *files_read(files *f, const char *name, const char *as, size_t *length) {
   return bytes;
 }
 
+bool files_has(const files *f, const char *as, const char *what) {
+  return json_object_get(json_array_get(f->list, place_of(f, as)), what) != NULL;
+}
+
 void files_count(const files *f, const char *as, const char *what, long double count) {
   const json_t *said = json_object_get(json_array_get(f->list, place_of(f, as)), what);
   if (!json_is_number(said))

@@ -19,6 +19,9 @@ files files_of(const char *certificate, json_t *list);
  * length and SHA-256; from then on the file is the one that `of` is about. */
 char *files_read(files *f, const char *name, const char *as, size_t *length);
 
+/* Does the certificate say this of a file? */
+bool files_has(const files *f, const char *as, const char *what);
+
 /* Check that a number or a text of a file, read as `as`, is what the certificate says. */
 void files_count(const files *f, const char *as, const char *what, long double count);
 void files_text(const files *f, const char *as, const char *what, const char *text);

@@ -124,7 +124,7 @@ static bool on_a_line(const point *corner, size_t count) {
   return true;
 }
 
-/* In the order of the corners. */
+/* In the order of the corners. `triangle` is NULL if the polygon crosses itself. */
 static division divide(const mesh *m, const point *corner, size_t count) {
   if (count > CORNERS_MOST)
     cannot("%s: a polygon of %zu corners", m->file, count);
@@ -142,13 +142,22 @@ static division divide(const mesh *m, const point *corner, size_t count) {
   for (int n = 0; n < 3; n++)
     second = n == axis ? second : fmaxl(second, fabsl(coordinate(normal, n)));
   const long double along = coordinate(normal, axis);
+  long double reach = 0;
+  for (size_t n = 1; n < count; n++)
+    reach = fmaxl(reach, point_length(point_minus(corner[n], corner[0])));
+  /* Without an area it has no side: it crosses itself, or comes back as it went. */
+  if (fabsl(along) <= 1e-16L * reach * reach) {
+    free(d.triangle);
+    d.triangle = NULL;
+    return d;
+  }
   flat_point *p = memory(NULL, count, sizeof *p);
   long double low = 0;
   long double high = 0;
   long double size = 0;
   for (size_t n = 0; n < count; n++) {
     const point from = point_minus(corner[n], corner[0]);
-    const long double height = along == 0 ? 0 : point_dot(normal, from) / along;
+    const long double height = point_dot(normal, from) / along;
     low = fminl(low, height);
     high = fmaxl(high, height);
     size = fmaxl(size, point_length(corner[n]));
@@ -165,8 +174,10 @@ static division divide(const mesh *m, const point *corner, size_t count) {
     cannot("%s: a polygon of %zu corners is bent, concave and at 45 degrees; divide it into "
            "triangles",
            m->file, count);
-  if (!convex && !cut_ears(p, count, d.triangle))
-    cannot("%s: a polygon of %zu corners crosses itself; divide it into triangles", m->file, count);
+  if (!convex && !cut_ears(p, count, d.triangle)) {
+    free(d.triangle);
+    d.triangle = NULL;
+  }
   const long double height = (high - low) * (1 + 1e-9L) * (along < 0 ? -1 : 1);
   d.up = (point){axis == 0 ? height : 0, axis == 1 ? height : 0, axis == 2 ? height : 0};
   free(p);
@@ -178,7 +189,7 @@ static bool is_before(point a, point b) {
 }
 
 /* Both sides of a face are divided alike: from the lowest corner towards its lower neighbour. */
-division polygon_divide(const mesh *m, const point *corner, size_t count) {
+division polygon_divide(mesh *m, const point *corner, size_t count) {
   size_t first = 0;
   for (size_t n = 1; n < count; n++) {
     if (is_before(corner[n], corner[first]))
@@ -190,6 +201,16 @@ division polygon_divide(const mesh *m, const point *corner, size_t count) {
   for (size_t n = 0; n < count; n++)
     turned[n] = corner[(first + n * step) % count];
   division d = divide(m, turned, count);
+  free(turned);
+  if (d.triangle == NULL) {
+    if (!m->fans)
+      cannot("%s: a polygon of %zu corners crosses itself; divide it into triangles", m->file,
+             count);
+    d = (division){memory(NULL, count - 2, sizeof *d.triangle), false, {0, 0, 0}};
+    fan(count, d.triangle);
+    m->fanned++;
+    return d;
+  }
   for (size_t n = 0; n + 2 < count; n++) {
     const size_t *of = d.triangle[n];
     const size_t made[3] = {of[back ? 2 : 0], of[1], of[back ? 0 : 2]};
@@ -197,6 +218,5 @@ division polygon_divide(const mesh *m, const point *corner, size_t count) {
       d.triangle[n][k] = (first + made[k] * step) % count;
   }
   d.up = point_times(back ? -1 : 1, d.up);
-  free(turned);
   return d;
 }

@@ -18,7 +18,9 @@ typedef struct {
                corners run anticlockwise */
 } division;
 
-/* `count` corners from `corner`; `m` is for messages. The caller frees `triangle`. */
-division polygon_divide(const mesh *m, const point *corner, size_t count);
+/* `count` corners from `corner`. One that crosses itself is refused; or, with m->fans, it is a fan
+ * of its first corner and counted in m->fanned. Such a polygon is divided in this way alone, so it
+ * is not bent. The caller frees `triangle`. */
+division polygon_divide(mesh *m, const point *corner, size_t count);
 
 #endif

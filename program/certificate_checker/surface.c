@@ -66,7 +66,7 @@ static void add_hull(const target *t, const point *corner, size_t count, const d
   }
 }
 
-void surface_mesh(surface *s, const mesh *m, point scale, pose at) {
+void surface_mesh(surface *s, mesh *m, point scale, pose at) {
   const target t = {s, scale, at};
   size_t *bent = NULL;
   size_t bents = 0;

@@ -29,7 +29,7 @@ typedef struct {
 void surface_element(surface *s);
 
 /* Scaled, then posed. */
-void surface_mesh(surface *s, const mesh *m, point scale, pose at);
+void surface_mesh(surface *s, mesh *m, point scale, pose at);
 void surface_box(surface *s, point size, pose at);
 
 /* Polyhedra that hold them. */

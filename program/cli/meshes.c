@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* meshes.c - reads and welds meshes for the commands, by --unit and --weld. */
+/* meshes.c - reads and welds meshes for the commands, by --unit, --weld and --polygons. */
 #include "cli/meshes.h"
 #include "cli/question.h"
 #include "util/error.h"
 
-enum { KEY_UNIT = 0x680, KEY_WELD };
+#include <string.h>
+
+enum { KEY_UNIT = 0x680, KEY_WELD, KEY_POLYGONS };
 
 static const struct argp_option options[] = {
     {"unit", KEY_UNIT, "LENGTH", 0,
@@ -15,6 +17,10 @@ static const struct argp_option options[] = {
      "close small gaps first: merge vertices within LENGTH of each other, leave out triangles "
      "that lose their area or are copies, and insert vertices into open edges within LENGTH. The "
      "results hold for the welded bodies, not for the bodies as they are in the files",
+     0},
+    {"polygons", KEY_POLYGONS, "WAY", 0,
+     "polygons of mesh files that cross themselves: refuse the file (default), or fan: divide them "
+     "into triangles from their first corner, as many programs do",
      0},
     {0}};
 
@@ -30,6 +36,12 @@ static error_t parse(int key, char *text, struct argp_state *state) {
     return 0;
   case KEY_WELD:
     rules->weld = cli_limit(state, "weld", text, rules->unit);
+    return 0;
+  case KEY_POLYGONS:
+    rules->fans = strcmp(text, "fan") == 0;
+    if (!rules->fans && strcmp(text, "refuse") != 0) {
+      argp_error(state, "polygons: '%s' is neither refuse nor fan", text);
+    }
     return 0;
   default:
     return ARGP_ERR_UNKNOWN;
@@ -54,8 +66,11 @@ static bool read_mesh(sepax_soup *mesh, report_mesh *said, const char *path,
   said = said != NULL ? said : &unused;
   rules = rules != NULL ? rules : &none;
   *said = (report_mesh){.unit_mm = rules->own.length};
-  const sepax_mesh_reading how = {
-      .size = sizeof how, .normals = normals, .unit_mm = rules->own.length, .result_mm = 1};
+  const sepax_mesh_reading how = {.size = sizeof how,
+                                  .normals = normals,
+                                  .unit_mm = rules->own.length,
+                                  .result_mm = 1,
+                                  .fans = rules->fans};
   bool ok = sepax_mesh_read(mesh, &said->account, path, &how, error);
   if (ok && !cli_mesh_weld(mesh, said, path, rules, error)) {
     sepax_soup_free(mesh);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* meshes.h - reads and welds meshes for the commands, by --unit and --weld. */
+/* meshes.h - reads and welds meshes for the commands, by --unit, --weld and --polygons. */
 #ifndef SEPAX_CLI_MESHES_H
 #define SEPAX_CLI_MESHES_H
 
@@ -9,12 +9,13 @@
 
 #include "sepax_models.h"
 
-/* The input of the argp child for --unit and --weld. `unit` is the unit of lengths: CLI_MILLIMETRES
- * or CLI_METRES. */
+/* The input of the argp child for --unit, --weld and --polygons. `unit` is the unit of lengths:
+ * CLI_MILLIMETRES or CLI_METRES. */
 typedef struct {
   int unit;
   report_limit own;  /* --unit; its text is NULL if each file's own unit is used */
   report_limit weld; /* --weld; its text is NULL if nothing is welded */
+  bool fans;         /* --polygons=fan */
 } cli_meshes;
 extern const struct argp cli_meshes_argp;
 

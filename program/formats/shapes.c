@@ -8,7 +8,8 @@ bool format_shape_mesh(sepax_soup *mesh, report_mesh *said, const sepax_shape *s
   static const double metre = 1000; /* mm */
   const sepax_shape_reading how = {.size = sizeof how,
                                    .unit = rules->own.text != NULL ? rules->own.length : 0,
-                                   .unplaced = true};
+                                   .unplaced = true,
+                                   .fans = rules->fans};
   *said = (report_mesh){.unit = rules->unit};
   if (!sepax_shape_mesh(mesh, &said->account, shape, &how, error)) {
     return false;

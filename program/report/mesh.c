@@ -52,10 +52,22 @@ static void print_faces(int width, const sepax_mesh_account *a) {
     printf(" divided into triangles, %zu of them bent", a->bent);
     puts(a->bent > 0 ? ": no plane has all their corners" : "");
   }
+  if (a->fans > 0) {
+    printf("%*sof these, divided from the first corner because they cross themselves: %zu "
+           "(--polygons=fan)\n",
+           width, "", a->fans);
+  }
   if (a->unplaced > 0) {
     printf("%*s", width, "");
     report_print_count(a->unplaced, "face");
     puts(" left out, because the file places their meshes nowhere");
+  }
+}
+
+static void print_remarks(int width, const sepax_mesh_account *a) {
+  for (size_t n = 0; n < a->remarks; n++) {
+    const sepax_mesh_remark *r = &a->remark[n];
+    printf("%*s%s: %zu (%s)\n", width, "", r->what, r->count, r->which);
   }
 }
 
@@ -64,13 +76,6 @@ static void print_weld(int width, const report_mesh *mesh) {
   if (!mesh->welded) {
     return;
   }
-static void print_remarks(int width, const sepax_mesh_account *a) {
-  for (size_t n = 0; n < a->remarks; n++) {
-    const sepax_mesh_remark *r = &a->remark[n];
-    printf("%*s%s: %zu (%s)\n", width, "", r->what, r->count, r->which);
-  }
-}
-
   printf("%*swelded within %s mm: ", width, "",
          report_exactly(report_mm(w->length, mesh->unit)).text);
   printf("%zu vertices moved, by up to %.3g mm; %zu triangles without area and %zu that were "
@@ -86,12 +91,12 @@ void report_print_mesh(const char *name, int width, const char *path, const repo
   print_unit(width, mesh);
   print_faces(width, a);
   print_others(width, a);
+  print_remarks(width, a);
   print_weld(width, mesh);
 }
 
 /* ----------------------------------------------------------------------- JSON */
 
-  print_remarks(width, a);
 static json_t *others_of(const sepax_mesh_account *a) {
   json_t *others = json_object();
   for (size_t n = 0; n < a->others; n++) {
@@ -100,11 +105,6 @@ static json_t *others_of(const sepax_mesh_account *a) {
   return others;
 }
 
-static json_t *weld_of(const report_mesh *mesh) {
-  const sepax_weld *w = &mesh->weld;
-  return json_pack("{s:f, s:I, s:f, s:I, s:I, s:I}", "length_mm", report_mm(w->length, mesh->unit),
-                   "moved", (json_int_t)w->moved, "farthest_mm", report_mm(w->farthest, mesh->unit),
-                   "without_area", (json_int_t)w->degenerate, "twice", (json_int_t)w->duplicates,
 static json_t *remarks_of(const sepax_mesh_account *a) {
   json_t *remarks = json_array();
   for (size_t n = 0; n < a->remarks; n++) {
@@ -115,6 +115,11 @@ static json_t *remarks_of(const sepax_mesh_account *a) {
   return remarks;
 }
 
+static json_t *weld_of(const report_mesh *mesh) {
+  const sepax_weld *w = &mesh->weld;
+  return json_pack("{s:f, s:I, s:f, s:I, s:I, s:I}", "length_mm", report_mm(w->length, mesh->unit),
+                   "moved", (json_int_t)w->moved, "farthest_mm", report_mm(w->farthest, mesh->unit),
+                   "without_area", (json_int_t)w->degenerate, "twice", (json_int_t)w->duplicates,
                    "edges_divided", (json_int_t)w->divided);
 }
 
@@ -128,10 +133,11 @@ void report_set_mesh(json_t *to, const report_mesh *mesh) {
   report_set_count(to, "faces", a->faces);
   report_set_count(to, "polygons", a->divided);
   report_set_count(to, "polygons_bent", a->bent);
+  report_set_count(to, "polygons_as_fans", a->fans);
   report_set_count(to, "faces_unplaced", a->unplaced);
   json_object_set_new(to, "without_surface", others_of(a));
+  json_object_set_new(to, "remarks", remarks_of(a));
   if (mesh->welded) {
     json_object_set_new(to, "welded", weld_of(mesh));
   }
 }
-  json_object_set_new(to, "remarks", remarks_of(a));

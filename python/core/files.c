@@ -21,26 +21,45 @@ static PyObject *others_of(const sepax_mesh_account *a) {
   return others;
 }
 
+static PyObject *remarks_of(const sepax_mesh_account *a) {
+  PyObject *remarks = PyList_New(0);
+  for (size_t n = 0; n < a->remarks && remarks != NULL; n++) {
+    const sepax_mesh_remark *r = &a->remark[n];
+    PyObject *remark = Py_BuildValue("(sns)", r->what, (Py_ssize_t)r->count, r->which);
+    if (remark == NULL || PyList_Append(remarks, remark) != 0) {
+      Py_CLEAR(remarks);
+    }
+    Py_XDECREF(remark);
+  }
+  return remarks;
+}
+
 static PyObject *account_of(const sepax_mesh_account *a) {
   PyObject *others = others_of(a);
-  return others == NULL
-             ? NULL
-             : Py_BuildValue("{s:s,s:s,s:d,s:n,s:n,s:n,s:n,s:n,s:N}", "format", a->format, "unit",
-                             a->unit, "unit_mm", a->unit_mm, "faces", (Py_ssize_t)a->faces,
-                             "triangles", (Py_ssize_t)a->triangles, "divided",
-                             (Py_ssize_t)a->divided, "bent", (Py_ssize_t)a->bent, "unplaced",
-                             (Py_ssize_t)a->unplaced, "others", others);
+  PyObject *remarks = remarks_of(a);
+  if (others == NULL || remarks == NULL) {
+    Py_XDECREF(others);
+    Py_XDECREF(remarks);
+    return NULL;
+  }
+  return Py_BuildValue("{s:s,s:s,s:d,s:n,s:n,s:n,s:n,s:n,s:n,s:N,s:N}", "format", a->format, "unit",
+                       a->unit, "unit_mm", a->unit_mm, "faces", (Py_ssize_t)a->faces, "triangles",
+                       (Py_ssize_t)a->triangles, "divided", (Py_ssize_t)a->divided, "bent",
+                       (Py_ssize_t)a->bent, "fans", (Py_ssize_t)a->fans, "unplaced",
+                       (Py_ssize_t)a->unplaced, "others", others, "remarks", remarks);
 }
 
 static PyObject *mesh_read(PyObject *self, PyObject *arguments) {
   (void)self;
   PyObject *path;
   Py_ssize_t most;
+  int fans;
   sepax_mesh_reading how = {.size = sizeof how};
-  if (!PyArg_ParseTuple(arguments, "O&ndd", PyUnicode_FSConverter, &path, &most, &how.unit_mm,
-                        &how.result_mm)) {
+  if (!PyArg_ParseTuple(arguments, "O&nddp", PyUnicode_FSConverter, &path, &most, &how.unit_mm,
+                        &how.result_mm, &fans)) {
     return NULL;
   }
+  how.fans = fans != 0;
   how.most = most > 0 ? (size_t)most : 0;
   const char *name = PyBytes_AsString(path);
   sepax_soup soup = {0};
@@ -214,7 +233,8 @@ static PyObject *poses_nearest(PyObject *self, PyObject *matrices) {
 }
 
 PyMethodDef core_file_methods[] = {
-    {"mesh_read", mesh_read, METH_VARARGS, "(path, most, unit_mm, result_mm) -> facets, account"},
+    {"mesh_read", mesh_read, METH_VARARGS,
+     "(path, most, unit_mm, result_mm, fans) -> facets, account"},
     {"stl_write", stl_write, METH_VARARGS, "(facets, path, ascii)"},
     {"weld", weld, METH_VARARGS, "(facets, length) -> facets, account"},
     {"poses_read", poses_read, METH_VARARGS, "(path, nearest) -> numbers, moved"},

@@ -100,10 +100,12 @@ static PyObject *robot_shape(PyObject *self, PyObject *arguments) {
   (void)self;
   PyObject *handle;
   Py_ssize_t n;
+  int fans;
   sepax_shape_reading how = {.size = sizeof how};
-  if (!PyArg_ParseTuple(arguments, "Ond", &handle, &n, &how.unit)) {
+  if (!PyArg_ParseTuple(arguments, "Ondp", &handle, &n, &how.unit, &fans)) {
     return NULL;
   }
+  how.fans = fans != 0;
   const core_mechanism *m = core_mechanism_of(handle);
   if (m == NULL || n < 0 || (size_t)n >= m->robot.shapes) {
     return m == NULL ? NULL : PyErr_Format(PyExc_IndexError, "shape %zd", n);
@@ -179,7 +181,7 @@ static PyObject *robot_pairs(PyObject *self, PyObject *arguments) {
 PyMethodDef core_robot_methods[] = {
     {"robot_read", robot_read, METH_VARARGS, "(packages, path) -> mechanism"},
     {"robot_about", robot_about, METH_O, "(mechanism) -> name, links, shapes, bare, others"},
-    {"robot_shape", robot_shape, METH_VARARGS, "(mechanism, shape, unit) -> facets"},
+    {"robot_shape", robot_shape, METH_VARARGS, "(mechanism, shape, unit, fans) -> facets"},
     {"robot_pairs", robot_pairs, METH_VARARGS,
      "(mechanism, srdf) -> pairs, joined, rigid, disabled, others, name in the SRDF"},
     {"distinct", distinct, METH_O, "(facets) -> facets"},

@@ -72,17 +72,21 @@ class Body:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"], *, unit_mm: Optional[float] = None,
-             result_mm: Optional[float] = None, threads: Optional[int] = None) -> "Body":
+             result_mm: Optional[float] = None, threads: Optional[int] = None,
+             polygons: str = "refuse") -> "Body":
         """Read the body from a mesh file: STL, OBJ, PLY; with sepax-io also 3MF and DAE.
 
         unit_mm: length in mm of the file's unit, in place of what the file says.
         result_mm: length in mm of the body's unit: coordinates are multiplied by unit / result and
           rounded. None, or a file without a unit: coordinates stay as they are.
+        polygons: a polygon that crosses itself: "refuse" the file, or divide it as a "fan" from
+          its first corner, as many programs do.
         `account` of the body tells what the file has: format, unit, faces, and what was passed
         over. Raises FileError, FormatError (with the line and the cure), LimitError, MemoryError.
         """
         from .files import read_mesh  # pylint: disable=import-outside-toplevel,cyclic-import
-        triangles, account = read_mesh(path, unit_mm=unit_mm, result_mm=result_mm)
+        triangles, account = read_mesh(path, unit_mm=unit_mm, result_mm=result_mm,
+                                       polygons=polygons)
         body = cls(triangles.reshape(-1, 3), threads=threads)
         body.account = account
         return body

@@ -19,6 +19,7 @@ def cure(error: FormatError) -> FormatError:
     """The error, with the cure of a Python user, who has no options of a command."""
     text = re.sub(r"give --package=(\S+):FOLDER", r"give packages={'\1': FOLDER}", str(error))
     text = re.sub(r"give --package$", "give packages={name: folder}", text)
+    text = text.replace("give --polygons=fan", "give polygons='fan'")
     if "because lib" in text and not has_io:
         text = text.split("; install")[0] + "; pip install sepax-io"
     return FormatError(text)
@@ -30,19 +31,30 @@ def _lengths(unit_mm: Optional[float], result_mm: Optional[float]) -> Tuple[floa
     return length(unit_mm, "unit_mm"), length(result_mm, "result_mm")
 
 
+def fans_of(polygons: str) -> bool:
+    """Whether polygons that cross themselves are divided, not refused."""
+    if polygons not in ("refuse", "fan"):
+        raise ArgumentError(f"polygons are {polygons!r}; give 'refuse' or 'fan'")
+    return polygons == "fan"
+
+
 def read_mesh(path: Path, *, unit_mm: Optional[float] = None, result_mm: Optional[float] = None,
-              most: Optional[int] = None) -> Tuple[np.ndarray, Dict[str, Any]]:
+              most: Optional[int] = None, polygons: str = "refuse"
+              ) -> Tuple[np.ndarray, Dict[str, Any]]:
     """Read a mesh file: STL, OBJ, PLY; with sepax-io also 3MF and DAE.
 
-    unit_mm, result_mm: as for Body.load. most: a file with more triangles is refused (20,000,000).
+    unit_mm, result_mm, polygons: as for Body.load. most: a file with more triangles is refused
+      (20,000,000).
     Returns the triangles, (n, 3, 3) of float64 in the unit of the file or of the result, and an
     account: a dict of format, unit, unit_mm (0: the file names none), faces, triangles, divided
-    (polygons), bent (polygons that are not flat), unplaced (faces that are placed nowhere), others
-    (what has no surface, and how often).
+    (polygons), bent (polygons that are not flat), fans (polygons that cross themselves), unplaced
+    (faces that are placed nowhere), others (what has no surface, and how often), remarks (what one
+    may not expect of objects: what, how many, which).
     Raises FileError, FormatError (with the line and the cure), LimitError, MemoryError."""
     unit, result = _lengths(unit_mm, result_mm)
     try:
-        facets, account = core.mesh_read(path, _arrays.count_of(most, "most"), unit, result)
+        facets, account = core.mesh_read(path, _arrays.count_of(most, "most"), unit, result,
+                                         fans_of(polygons))
     except FormatError as error:
         raise cure(error) from None
     return np.frombuffer(facets, np.float64).reshape(-1, 3, 3), account

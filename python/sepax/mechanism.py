@@ -14,7 +14,7 @@ from ._errors import ArgumentError, FormatError
 from ._library import core
 from ._verdicts import Basis, Code, Verdict, Verdicts, basis
 from .bodies import Body, LENGTH_MOST, _handle, _shell
-from .files import Path, cure
+from .files import Path, cure, fans_of
 
 KINDS = ("fixed", "revolute", "continuous", "prismatic")
 VALUE_MOST = 1e12
@@ -112,7 +112,7 @@ class Mechanism:
     @classmethod
     def from_urdf(cls, urdf: Path, srdf: Optional[Path] = None, *,
                   packages: Optional[Mapping[str, Any]] = None, unit: Optional[float] = None,
-                  surfaces: bool = False) -> "Mechanism":
+                  surfaces: bool = False, polygons: str = "refuse") -> "Mechanism":
         """Read a robot: links, joints and collision geometry, with its mesh files.
 
         srdf: disables pairs. With it all pairs are compared but those that it disables; without
@@ -121,6 +121,7 @@ class Mechanism:
         packages: {name: folder} of package://name/.
         unit: length in metres of the unit of mesh files; None: as they say, STL, OBJ and PLY in
           metres. surfaces: True does not look whether a body is inside another.
+        polygons: of mesh files, as for Body.load.
         Lengths are metres, angles radians. Spheres, cylinders and capsules become polyhedra that
         hold them, at most 0.25 % of the radius larger. It needs sepax-io.
         Raises FormatError (line and cure; or that sepax-io is missing), FileError, ArgumentError.
@@ -139,13 +140,13 @@ class Mechanism:
         if meant is not None and name is not None and meant != name:
             warnings.warn(f"{srdf} is for a robot '{meant}'; {urdf} is '{name}'", stacklevel=2)
         scale = 0.0 if unit is None else _arrays.number_of(unit, "unit", 1e-9, 1e9)
-        bodies, solids = _bodies_of(handle, mechanism.links, shapes, scale)
+        bodies, solids = _bodies_of(handle, mechanism.links, shapes, scale, fans_of(polygons))
         numbers = np.frombuffer(found, np.uintp).reshape(-1, 2)
         pairs = [(mechanism.links[a], mechanism.links[b]) for a, b in numbers]
         mechanism._complete(bodies, solids, pairs, surfaces)
         mechanism._files = (os.path.abspath(urdf), None if srdf is None else os.path.abspath(srdf),
                             [(name, os.path.abspath(folder)) for name, folder in
-                             _packages(packages)], unit)
+                             _packages(packages)], unit, polygons)
         mechanism.name = name
         mechanism.account = {"shapes": len(shapes), "without_surface": [
             mechanism.links[link] for link, _ in bare], "passed_over": others,
@@ -160,7 +161,7 @@ class Mechanism:
         self._handle = handle
         self._machine = None
         self._files: Optional[Tuple[str, Optional[str], List[Tuple[str, str]],
-                                    Optional[float]]] = None
+                                    Optional[float], str]] = None
         self.name: Optional[str] = None
         self.account: Dict[str, Any] = {}
         links, rows, root = core.mechanism_about(handle)
@@ -400,13 +401,13 @@ def _rows_of(links: Sequence[str], joints: Sequence[Joint]) -> List[Tuple[Any, .
     return rows
 
 
-def _bodies_of(handle: Any, links: List[str], shapes: List[Tuple[Any, ...]], scale: float
-               ) -> Tuple[Dict[str, Body], Dict[str, Tuple[Body, ...]]]:
+def _bodies_of(handle: Any, links: List[str], shapes: List[Tuple[Any, ...]], scale: float,
+               fans: bool) -> Tuple[Dict[str, Body], Dict[str, Tuple[Body, ...]]]:
     """The body of each link, of all its shapes, and each of its shapes as a solid."""
     triangles: Dict[str, List[bytearray]] = {}
     for n, shape in enumerate(shapes):
         try:
-            facets = core.robot_shape(handle, n, scale)
+            facets = core.robot_shape(handle, n, scale, fans)
         except FormatError as error:
             raise cure(error) from None
         triangles.setdefault(links[shape[0]], []).append(facets)

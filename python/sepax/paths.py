@@ -197,7 +197,7 @@ def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: st
     if files is None:
         raise ArgumentError("the mechanism was made in Python; the motion between rows is checked "
                             "for one of Mechanism.from_urdf")
-    urdf, srdf, packages, unit = files
+    urdf, srdf, packages, unit, polygons = files
     path = os.path.join(folder, "path.csv")
     with open(path, "w", encoding="utf-8") as file:
         file.write(_csv(mechanism, values, times))
@@ -205,6 +205,7 @@ def _run(mechanism: Any, values: Any, times: Any, options: List[str], folder: st
     command += [f"--srdf={srdf}"] if srdf else []
     command += [f"--package={name}:{where}" for name, where in packages]
     command += [f"--unit={unit!r}m"] if unit is not None else []
+    command += [f"--polygons={polygons}"]
     command += ["--surfaces"] if mechanism.surfaces else []
     try:
         done = subprocess.run([*command, urdf, path], capture_output=True, text=True, check=False)

@@ -47,6 +47,18 @@ class Files(unittest.TestCase):
         self.assertEqual(triangles.max(), 0.001)
         self.assertTrue(account["others"])
 
+    def test_polygons(self):
+        """One that crosses itself is refused, with the cure, or a fan."""
+        path = self.file("bow.obj", "v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n")
+        with self.assertRaisesRegex(sepax.FormatError, "give polygons='fan'"):
+            sepax.Body.load(path)
+        with self.assertRaisesRegex(sepax.ArgumentError, "give 'refuse' or 'fan'"):
+            sepax.read_mesh(path, polygons="ears")
+        triangles, account = sepax.read_mesh(path, polygons="fan")
+        np.testing.assert_array_equal(triangles[1], [[0, 0, 0], [2, 0, 0], [0, 2, 0]])
+        self.assertEqual((account["divided"], account["fans"], account["remarks"]), (1, 1, []))
+        self.assertEqual(len(sepax.Body.load(path, polygons="fan")), 2)
+
     def test_errors(self):
         """The text names the file, the line and the cure."""
         with self.assertRaises(sepax.FileError):

@@ -172,6 +172,20 @@ class FromFile(unittest.TestCase):
         robot = sepax.Mechanism.from_urdf(path, srdf)
         self.assertEqual(list(robot.check([[0.0], [9.0]]).codes), [Code.B_INSIDE, Code.FREE])
 
+    def test_polygons(self):
+        """Of mesh files, in Python and in the program."""
+        with open(os.path.join(self.folder, "bow.obj"), "w", encoding="utf-8") as file:
+            file.write("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 5 2\n"
+                       "f 2 5 3\nf 3 5 4\nf 4 5 1\n")
+        path = os.path.join(self.folder, "bow.urdf")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(URDF.replace("<box size='1 1 1'/>", "<mesh filename='bow.obj'/>", 1))
+        with self.assertRaisesRegex(sepax.FormatError, "give polygons='fan'"):
+            sepax.Mechanism.from_urdf(path)
+        robot = sepax.Mechanism.from_urdf(path, polygons="fan")
+        self.assertEqual(len(robot.bodies["base"]), 6)
+        self.assertTrue(robot.certify([[0, 0], [0.1, 0]]).pairs)
+
     def test_certify(self):
         """The motion between rows."""
         path = [[-1, 0], [1, 0], [1, 1.5]]

@@ -92,6 +92,9 @@ static json_t *mesh_of(const sepax_shape *shape, const sepax_mesh_account *accou
     json_object_set_new(file, "format", json_string(account->format));
     set_count(file, "faces", account->faces - account->unplaced);
     set_count(file, "triangles", account->triangles);
+    if (account->fans > 0) {
+      set_count(file, "polygons_as_fans", account->fans);
+    }
     if (account->unit_mm != 0) {
       json_object_set_new(file, "unit_mm", json_real(account->unit_mm));
     }

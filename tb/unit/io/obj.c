@@ -241,3 +241,27 @@ CASE(refused) {
   assert_fault(sepax_mesh_read(&none, NULL, file, NULL, &fault),
                "a.mesh: not a mesh that can be read");
 }
+
+/* A polygon that crosses itself is a fan of its first corner, if the caller wants that; all others
+ * are divided as ever. The second side of a face begins at its own first corner. */
+CASE(polygons_as_fans) {
+  static const char text[] = "v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nv 2 1 0\n"
+                             "f 1 2 3 4\nf 2 1 4 3\nf 1 3 5 4\nf 3 5 1 4\nf 5 1 4 3\n";
+  const sepax_mesh_reading how = SEPAX_STRUCT(sepax_mesh_reading, .fans = true);
+  sepax_soup_free(&soup);
+  assert_works(sepax_mesh_read(&soup, &account, put_file("a.obj", text), &how, &fault));
+  assert_int_equal(account.divided, 5);
+  assert_int_equal(account.fans, 4);
+  TRIANGLE(0, 0, 0, 0, 2, 2, 0, 2, 0, 0);
+  TRIANGLE(1, 0, 0, 0, 2, 0, 0, 0, 2, 0);
+  TRIANGLE(2, 0, 2, 0, 2, 0, 0, 2, 2, 0);
+  TRIANGLE(3, 0, 0, 0, 0, 2, 0, 2, 2, 0);
+  TRIANGLE(4, 0, 0, 0, 2, 0, 0, 2, 1, 0);
+  TRIANGLE(6, 2, 0, 0, 2, 1, 0, 0, 0, 0);
+  TRIANGLE(7, 2, 0, 0, 0, 0, 0, 0, 2, 0);
+  TRIANGLE(8, 2, 1, 0, 0, 0, 0, 0, 2, 0);
+  sepax_soup_free(&soup);
+  assert_fault(sepax_mesh_read(&soup, &account, put_file("a.obj", text), NULL, &fault),
+               "a.obj:6: face 0: a polygon of 4 corners crosses itself; export triangles, or give "
+               "--polygons=fan");
+}
