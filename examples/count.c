@@ -17,6 +17,10 @@ int main(int argc, char **argv) {
     return 2;
   }
   printf("%s: %s, %zu triangles\n", argv[1], account.format, account.triangles);
+  for (size_t n = 0; n < account.remarks; n++) {
+    printf("%s: %zu (%s)\n", account.remark[n].what, account.remark[n].count,
+           account.remark[n].which);
+  }
   for (size_t n = 0; n < account.others; n++) {
     printf("without a surface: %zu %s\n", account.other[n].count, account.other[n].what);
   }

@@ -90,6 +90,7 @@ typedef struct {
   size_t size;
   const sepax_package *package; /* packages that are not beside the URDF or above it */
   size_t packages;
+  bool fans; /* of meshes, which sepax_robot_machine_read reads: that of sepax_mesh_reading */
 } sepax_robot_reading;
 
 /* Read a URDF. A floating joint J becomes six joints J/x, J/y, J/z, J/yaw, J/pitch and J/roll. A

@@ -3,6 +3,7 @@
 #include "robot/robot.h"
 #include "util/error.h"
 #include "util/memory.h"
+#include "util/options.h"
 
 #include <string.h>
 
@@ -28,9 +29,10 @@ void sepax_robot_machine_free(sepax_robot_machine *machine) {
 }
 
 /* Append the mesh of a shape. */
-static bool append(sepax_soup *to, const sepax_shape *shape, sepax_error *error) {
+static bool append(sepax_soup *to, const sepax_shape *shape, const sepax_shape_reading *how,
+                   sepax_error *error) {
   sepax_soup mesh;
-  if (!sepax_shape_mesh(&mesh, NULL, shape, NULL, error)) {
+  if (!sepax_shape_mesh(&mesh, NULL, shape, how, error)) {
     return false;
   }
   sepax_facet *grown = sepax_resize(to->facet, (to->count + mesh.count) * sizeof *grown);
@@ -44,14 +46,15 @@ static bool append(sepax_soup *to, const sepax_shape *shape, sepax_error *error)
 }
 
 /* One body of `count` shapes from `first` on, which are all of one link. */
-static bool add_body(sepax_robot_machine *machine, size_t first, size_t count, sepax_error *error) {
+static bool add_body(sepax_robot_machine *machine, size_t first, size_t count,
+                     const sepax_shape_reading *how, sepax_error *error) {
   const sepax_shape *shape = &machine->robot.shape[first];
   sepax_soup mesh = {0};
   sepax_body *body = NULL;
   sepax_error inner = {0};
   bool ok = true;
   for (size_t n = 0; n < count && ok; n++) {
-    ok = append(&mesh, &shape[n], &inner);
+    ok = append(&mesh, &shape[n], how, &inner);
   }
   ok = ok &&
        (sepax__distinct(&mesh) ||
@@ -77,7 +80,8 @@ static size_t body_of(const sepax_robot_machine *machine, size_t link) {
   return low;
 }
 
-static bool make(sepax_robot_machine *machine, const char *urdf, sepax_error *error) {
+static bool make(sepax_robot_machine *machine, const char *urdf, const sepax_shape_reading *how,
+                 sepax_error *error) {
   const sepax_robot *robot = &machine->robot;
   size_t count = 0;
   machine->body = sepax__zeroed(robot->shapes, sizeof *machine->body);
@@ -97,7 +101,7 @@ static bool make(sepax_robot_machine *machine, const char *urdf, sepax_error *er
            robot->shape[first + count].link == robot->shape[first].link) {
       count++;
     }
-    if (!add_body(machine, first, count, error)) {
+    if (!add_body(machine, first, count, how, error)) {
       return false;
     }
   }
@@ -117,12 +121,17 @@ static bool make(sepax_robot_machine *machine, const char *urdf, sepax_error *er
 
 bool sepax_robot_machine_read(sepax_robot_machine *machine, const char *urdf, const char *srdf,
                               const sepax_robot_reading *how, sepax_error *error) {
+  sepax_robot_reading h;
   *machine = (sepax_robot_machine){0};
+  if (!sepax__options(&h, sizeof h, how, "sepax_robot_reading", error)) {
+    return false;
+  }
+  const sepax_shape_reading shapes = {.size = sizeof shapes, .fans = h.fans};
   if (!sepax_robot_read(&machine->robot, urdf, how, error)) {
     return false;
   }
   if (!sepax_robot_pairs_choose(&machine->pairs, &machine->robot, srdf, error) ||
-      !make(machine, urdf, error)) {
+      !make(machine, urdf, &shapes, error)) {
     sepax_robot_machine_free(machine);
     return false;
   }

@@ -335,7 +335,8 @@ bool path_scene_load(path_scene *scene, const path_question *q, sepax_error *err
                         .gouge = q->gouge.length,
                         .agreement.link = SIZE_MAX,
                         .slack = q->tube != NULL ? 1e-9 : 0};
-  const sepax_robot_reading how = {sizeof how, q->package, q->packages};
+  const sepax_robot_reading how = {
+      .size = sizeof how, .package = q->package, .packages = q->packages};
   if (!sepax_robot_read(&scene->robot, q->urdf, &how, error) || !read_motion(scene, q, error) ||
       (q->tools != NULL && !path_tools_read(scene, q, error)) ||
       (q->machine != NULL && !path_program_agrees(scene, q, error)) ||

@@ -21,6 +21,7 @@ static void require_account(const sepax_mesh_account *account, const sepax_soup 
   REQUIRE(account->triangles == mesh->count);
   REQUIRE(account->faces > account->unplaced);
   REQUIRE(account->bent <= account->divided);
+  REQUIRE(account->fans <= account->divided);
   REQUIRE(memchr(account->unit, '\0', sizeof account->unit) != NULL);
   REQUIRE(account->unit_mm >= 0 && isfinite(account->unit_mm));
   REQUIRE(account->others <= SEPAX_MESH_OTHERS_MOST);
@@ -34,8 +35,20 @@ static void require_account(const sepax_mesh_account *account, const sepax_soup 
   }
 }
 
+static void require_remarks(const sepax_mesh_account *account) {
+  REQUIRE(account->remarks <= SEPAX_MESH_REMARKS_MOST);
+  for (size_t n = 0; n < account->remarks; n++) {
+    const sepax_mesh_remark *r = &account->remark[n];
+    REQUIRE(memchr(r->what, '\0', sizeof r->what) != NULL && r->what[0] != '\0');
+    REQUIRE(memchr(r->which, '\0', sizeof r->which) != NULL && r->which[0] != '\0');
+    REQUIRE(r->count > 0);
+  }
+}
+
 void fuzz_mesh(const uint8_t *data, size_t size, const char *name) {
-  const sepax_mesh_reading how = {.size = sizeof how, .most = TRIANGLES_MOST};
+  /* Polygons that cross themselves are divided in every other length. */
+  const sepax_mesh_reading how = {
+      .size = sizeof how, .most = TRIANGLES_MOST, .fans = size % 2 == 1};
   sepax_mesh_account account;
   sepax_soup mesh;
   sepax_error error = {0};
@@ -48,6 +61,7 @@ void fuzz_mesh(const uint8_t *data, size_t size, const char *name) {
   if (ok) {
     require_finite(&mesh);
     require_account(&account, &mesh);
+    require_remarks(&account);
     sepax_soup_free(&mesh);
   } else {
     /* Both counts read the same format. Of 3MF the second one knows no namespaces. */

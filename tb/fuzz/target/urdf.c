@@ -24,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   sepax_robot robot;
   sepax_error error = {0};
   const sepax_package package = {"here", "."};
-  const sepax_robot_reading how = {sizeof how, &package, 1};
+  const sepax_robot_reading how = {.size = sizeof how, .package = &package, .packages = 1};
   const cli_meshes rules = {.unit = CLI_METRES};
   fuzz_file("input.urdf", data, size);
   bool ok = fuzz_answer(sepax_robot_read(&robot, "input.urdf", &how, &error), &error);

@@ -106,6 +106,12 @@ CASE(machines_that_are_refused) {
                "<link name='c'>" BOX("1 1 1", "0") "</link>" //
       JOINT("x", "prismatic", "a", "b", SLIDE) JOINT("y", "prismatic", "b", "c", SLIDE) "</robot>");
   assert_fault(sepax_robot_machine_read(&m, urdf, NULL, NULL, &fault), "link b: ");
+  /* A polygon that crosses itself, unless it may be a fan. */
+  put_file("bad.stl", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n");
+  assert_fault(sepax_robot_machine_read(&m, urdf, NULL, NULL, &fault), "crosses itself");
+  assert_works(sepax_robot_machine_read(&m, urdf, NULL,
+                                        &SEPAX_STRUCT(sepax_robot_reading, .fans = true), &fault));
+  sepax_robot_machine_free(&m);
   sepax_shape shape = {.kind = SEPAX_SHAPE_SPHERE, .size = {1}};
   sepax_soup mesh;
   assert_fault(

@@ -15,7 +15,7 @@ static bool work_robot(void *context) {
   sepax_robot r;
   static const cli_meshes rules = {.unit = CLI_METRES};
   static const sepax_package package = {"p", "/tmp"};
-  static const sepax_robot_reading how = {sizeof how, &package, 1};
+  static const sepax_robot_reading how = {.size = sizeof how, .package = &package, .packages = 1};
   if (!sepax_robot_read(&r, context, &how, &fault)) {
     return false;
   }
