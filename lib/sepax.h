@@ -534,12 +534,12 @@ bool sepax_bodies_apart(const sepax_body *a, const sepax_pose *pose_a, const sep
  *
  * Vertices with equal coordinates are one vertex (-0 equals 0). An edge joins two different
  * vertices. Edges are compared as segments in space, not by their ends: two short edges may match
- * one long edge if all three lie exactly on one line. Triangles without area count like other
- * triangles.
+ * one long edge if all three lie exactly on one line. A triangle without area opens nothing: its
+ * edges cancel each other.
  *
- * Triangles that share an edge belong to the same part. An edge of an odd number of triangles is
- * unpaired. Triangles whose unpaired edges lie on one line and share an end belong to the same
- * part, too. */
+ * Triangles that share an edge belong to the same part. An edge is uneven if more triangles run
+ * along it in one direction than in the other. Triangles whose uneven edges lie on one line and
+ * share an end belong to the same part, too. */
 typedef struct {
   const sepax_body *body;
   bool closed;       /* the body is a solid: every point of its edges, except for a finite number of
@@ -558,8 +558,8 @@ typedef struct {
 } sepax_shell;
 
 /* Find the shell of a body. The result is exact: no tolerance is used. Cost: about 0.3 microseconds
- * for each triangle, twice as much if edges of several sheets are to be compared. Errors: LIMIT on
- * more than 715,827,882 triangles; MEMORY. */
+ * for each triangle, twice as much if many edges overlap. Errors: LIMIT on more than 715,827,882
+ * triangles; MEMORY. */
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error);
 void sepax_shell_free(sepax_shell *shell);
 
@@ -574,29 +574,23 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * AABB that encloses all open parts of B. If A has such a part and no other part of A is inside B,
  * then within[0] is SEPAX_INSIDE_UNKNOWN. within[1] likewise.
  *
- * A point is inside a closed part if one of three rules says so:
- *   1. A ray from the point meets the part an odd number of times.
- *   2. The triangles of the part are consistent, and the number of times that the ray leaves the
- *      part differs from the number of times that it enters the part. This rule matters for a part
- *      that crosses itself.
- *   3. Sheets of the part that are there several times enclose the point. A sheet is what hangs
- *      together by edges that belong to exactly two triangles and lie on no other edge; two
- *      triangles of the same three vertices are two sheets. Two sheets are there several times if
- *      they have the same boundary and the same vertices, or if triangles of one plane lie on each
- *      other. Such sheets enclose a point if some of them, once each, form a closed surface that
- *      has the point inside by rule 1. This rule matters for files that have both sides of each
- *      face, however each side is divided. It holds for parts that have a sheet an even number of
- *      times, or triangles that lie on each other and are divided differently.
- *
- * A point is inside a piece if it is inside one of its parts. A point is inside the solid if it is
- * inside an odd number of pieces. So a piece inside another piece is a cavity, and a piece inside
- * the cavity is material again. A cavity is material, too, if it may be filled: if the point is
- * inside two parts of one piece, or if its pieces are not all there the same number of times, such
- * as once, or twice for both sides of each face. All these rules also hold for a part that is
- * inside out and for a part with triangles that are turned round.
- *
- * If a part has so many sheets that the third rule would take too long, then a point is
- * SEPAX_INSIDE_UNKNOWN if rules 1 and 2 do not hold and a ray from the point meets the part.
+ * The triangles at an edge are neighbours if the edge has exactly two of them, which run along it in
+ * opposite directions. Triangles that are joined by neighbours form a sheet. A ray crosses a triangle
+ * outwards if it leaves on the triangle's outer side, and inwards otherwise.
+ *   1. If a ray from a point crosses each sheet as often outwards as inwards, then the point is
+ *      outside. No closed surface that any of the triangles form encloses the point.
+ *   2. Otherwise the crossings of the other parts are summed. If each of these parts is consistent,
+ *      then the point is inside if more crossings are outwards than inwards, or if that is so in
+ *      none of the parts (a body inside out). If a part is not consistent, then the point is inside
+ *      if the number of all crossings is odd.
+ *   3. If as many crossings are outwards as inwards, then the point is outside if it is in a cavity:
+ *      the parts round the point do not touch each other, and from the outermost part on they are
+ *      wound outwards and inwards by turns.
+ *   4. Otherwise the point is SEPAX_INSIDE_UNKNOWN, if none of six rays tells more.
+ * So the solids of one body are united, also if one lies in another one. A cavity must be wound
+ * inwards. The rules do not decide inside a surface that has both sides of each face, and where
+ * solids overlap of which one is inside out. docs/reference/solids.md has the proof, and says which
+ * triangles are neighbours where edges overlap.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */

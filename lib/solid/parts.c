@@ -40,52 +40,59 @@ static size_t order_parts(uint32_t *place, uint32_t *begin, uint32_t *piece, uin
   return pieces;
 }
 
+static void grow_box(double box[2][3], const double low[3], const double high[3]) {
+  for (int i = 0; i < 3; i++) {
+    box[0][i] = low[i] < box[0][i] ? low[i] : box[0][i];
+    box[1][i] = high[i] > box[1][i] ? high[i] : box[1][i];
+  }
+}
+
+static void empty_box(double box[2][3]) {
+  for (int i = 0; i < 3; i++) {
+    box[0][i] = INFINITY;
+    box[1][i] = -INFINITY;
+  }
+}
+
 static void describe(struct sepax_parts *own, const sepax_body *body, size_t parts,
                      const surface *s) {
   for (size_t k = 0; k < parts; k++) {
     own->part[k].consistent = true;
     own->part[k].open = false;
-    own->part[k].tangled = false;
-    own->part[k].times = UINT32_MAX;
-    for (int i = 0; i < 3; i++) {
-      own->part[k].low[i] = INFINITY;
-      own->part[k].high[i] = -INFINITY;
-    }
+    empty_box(own->part[k].box);
   }
   for (size_t n = 0; n < body->count; n++) {
     solid_part *part = &own->part[own->of[n]];
     part->consistent = part->consistent && !s->turned[n];
     part->open = part->open || s->open[n];
-    part->tangled = part->tangled || (s->tangled != NULL && s->tangled[n]);
-    uint32_t times = s->times != NULL ? s->times[n] : 1;
-    if (times != SOLID_MEMBER) {
-      part->times = part->times == UINT32_MAX || part->times == times ? times : 0;
-    }
     memcpy(part->vertex, body->triangle[n][0], sizeof part->vertex);
-    for (int k = 0; k < 9; k++) {
-      double x = body->triangle[n][k / 3][k % 3];
-      part->low[k % 3] = fmin(part->low[k % 3], x);
-      part->high[k % 3] = fmax(part->high[k % 3], x);
+    for (int k = 0; k < 3; k++) {
+      grow_box(part->box, body->triangle[n][k], body->triangle[n][k]);
     }
   }
-  for (int i = 0; i < 3; i++) {
-    own->open[0][i] = INFINITY;
-    own->open[1][i] = -INFINITY;
-    for (size_t k = 0; k < parts; k++) {
-      const solid_part *part = &own->part[k];
-      own->open[0][i] = fmin(own->open[0][i], part->open ? part->low[i] : INFINITY);
-      own->open[1][i] = fmax(own->open[1][i], part->open ? part->high[i] : -INFINITY);
+  empty_box(own->open);
+  for (size_t k = 0; k < parts; k++) {
+    if (own->part[k].open) {
+      grow_box(own->open, own->part[k].box[0], own->part[k].box[1]);
     }
   }
 }
 
-/* Take over the words, if there are any. */
-static void take_over(struct sepax_parts *own, surface *s) {
-  for (size_t n = 0; n < s->count && s->word != NULL; n++) {
-    if (s->word[n] != 0) {
-      own->word = s->word;
-      s->word = NULL;
-    }
+/* Find `tangle` of each part. tangle: space for a number of each. */
+static void entangle(struct sepax_parts *own, size_t parts, const surface *s, uint32_t *tangle) {
+  for (uint32_t k = 0; k < parts; k++) {
+    tangle[k] = k;
+    memcpy(own->part[k].tangle, own->part[k].box, sizeof own->part[k].box);
+  }
+  for (uint32_t n = 0; n < s->count && s->entangled != NULL; n++) {
+    join(tangle, own->of[n], own->of[set_of(s->entangled, n)]);
+  }
+  for (uint32_t k = 0; k < parts; k++) { /* the first part of a set stands for it */
+    const solid_part *part = &own->part[k];
+    grow_box(own->part[set_of(tangle, k)].tangle, part->box[0], part->box[1]);
+  }
+  for (uint32_t k = 0; k < parts; k++) {
+    memcpy(own->part[k].tangle, own->part[set_of(tangle, k)].tangle, sizeof own->part[k].tangle);
   }
 }
 
@@ -116,7 +123,12 @@ bool sepax__find_parts(sepax_shell *shell, surface *s) {
       own->of[n] = place[own->of[n]];
     }
     describe(own, body, parts, s);
-    take_over(own, s);
+    entangle(own, parts, s, place);
+    own->sheet = s->sheet;
+    s->sheet = NULL;
+    for (uint32_t n = 0; n < body->count; n++) {
+      own->sheet[n] = set_of(own->sheet, n);
+    }
   }
   sepax_release(piece);
   return ok;
@@ -126,7 +138,7 @@ void sepax__free_parts(struct sepax_parts *own) {
   if (own != NULL) {
     sepax_release(own->part);
     sepax_release(own->of);
-    sepax_release(own->word);
+    sepax_release(own->sheet);
     sepax_release(own);
   }
 }

@@ -5,17 +5,14 @@
 
 #include "surface.h"
 
-/* A flag of surface.times. */
-#define SOLID_MEMBER UINT32_C(0x80000000)
-
 typedef struct {
   double vertex[3];       /* one vertex of the part */
-  double low[3], high[3]; /* its AABB */
+  double box[2][3];       /* its AABB: least and greatest coordinates */
   bool consistent;
   bool open;      /* it has an open edge */
-  bool tangled;   /* it may enclose what a ray does not show */
-  uint32_t times; /* how often it is there, such as 2 for both sides of each face; 0: not known */
   uint32_t piece; /* number of its piece; parts with common points have the same */
+  double tangle[2][3]; /* the AABB of all parts with which it may form closed surfaces, because
+                          their edges overlap; its own if none do */
 } solid_part;
 
 struct sepax_parts {
@@ -23,8 +20,7 @@ struct sepax_parts {
   uint32_t *of;      /* the part of each triangle, in the tree's order */
   double open[2][3]; /* AABB of all open parts, least and greatest coordinates; empty if all are
                         closed */
-  uint64_t *word;    /* of each triangle: of those that a ray meets, the sum modulo 2 is not 0 if
-                        sheets of its part enclose the ray's origin; NULL if none may */
+  uint32_t *sheet;   /* of each triangle: one that stands for its sheet */
 };
 
 /* Union-find: the representative of the set of n. parent[n] == n for one number of each set. */
@@ -42,8 +38,8 @@ static inline void join(uint32_t *parent, uint32_t n, uint32_t m) {
   parent[n > m ? n : m] = n > m ? m : n;
 }
 
-/* Fill in parts, pieces and `own` of a shell from a surface that is judged. If `word` is needed,
- * then it is taken over and becomes NULL in the surface. False without memory. */
+/* Fill in parts, pieces and `own` of a shell from a surface that is judged. `sheet` is taken over
+ * and becomes NULL in the surface. False without memory. */
 bool sepax__find_parts(sepax_shell *shell, surface *s);
 void sepax__free_parts(struct sepax_parts *parts);
 

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* shell.c - is a body closed, do its triangles wind alike, what hangs together by edges.
+/* shell.c - is a body closed, do its triangles wind alike, what hangs together by edges and sheets.
  *
  * Edges are summed as segments in space: of a closed body, every point of every edge is in an even
- * number of triangles' edges. Edges of an even number of triangles add nothing. The others cancel
- * iff at every vertex, and on every line through it, an even number of them ends: on each line they
- * then are a cycle, and a line has none but zero. So a vertex in the middle of another triangle's
- * edge opens nothing. Signed, the sum tells whether the triangles wind alike.
+ * number of triangles' edges. So a vertex in the middle of another triangle's edge opens nothing.
+ * Signed, the sum tells whether the triangles wind alike. lines.c judges both.
  *
  * Corners of equal coordinates get one number, by a hash table, in the order of the tree, so that
  * neighbours have numbers near each other. Each edge is then listed at the lower of its two
- * numbers, by counting, and these short lists are sorted. */
+ * numbers, by counting, and these short lists are sorted.
+ *
+ * Two triangles are neighbours if each closed surface that the triangles can form has the same
+ * factor of both: they alone have an edge and run along it in opposite directions, or lines.c says
+ * so. What hangs together by neighbours is a sheet. */
 #include "body/body.h"
 #include "parts.h"
 #include "surface.h"
@@ -17,6 +19,7 @@
 #include "util/hash.h"
 #include "util/memory.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -99,6 +102,25 @@ static bool number_vertices(surface *s, const sepax_body *body) {
 
 /* ------------------------------------------------------------------------- edges */
 
+/* Is the triangle without area? Each product is wrong by less than 4 u of its size, u = 2^-53, or by
+ * what underflows. */
+static bool is_flat_triangle(const surface *s, const uint32_t corner[3]) {
+  const double *p = s->vertex[corner[0]];
+  double v[2][3];
+  for (int k = 0; k < 6; k++) {
+    v[k / 3][k % 3] = s->vertex[corner[k / 3 + 1]][k % 3] - p[k % 3];
+  }
+  for (int i = 0; i < 3; i++) {
+    const double left = v[0][i] * v[1][(i + 1) % 3];
+    const double right = v[0][(i + 1) % 3] * v[1][i];
+    if (fabs(left - right) > 8 * 0x1p-53 * (fabs(left) + fabs(right)) + 0x1p-1000) {
+      return false;
+    }
+  }
+  return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0] ||
+         sepax__on_line(p, s->vertex[corner[1]], s->vertex[corner[2]]);
+}
+
 /* List each edge with a length at its lower vertex. */
 static void list_edges(const surface *s) {
   memset(s->begin, 0, (s->vertices + 1) * sizeof *s->begin);
@@ -117,13 +139,14 @@ static void list_edges(const surface *s) {
     s->begin[n] = sum;
   }
   for (size_t n = 0; n < s->count; n++) {
+    const uint64_t use = n | (is_flat_triangle(s, s->corner[n]) ? EDGE_FLAT : 0);
     for (int k = 0; k < 3; k++) {
       uint32_t from = s->corner[n][k];
       uint32_t to = s->corner[n][(k + 1) % 3];
       if (from != to) {
         bool down = from > to;
         uint64_t other = down ? from : to;
-        s->edge[--s->begin[down ? to : from]] = (2 * other + down) << 32 | n;
+        s->edge[--s->begin[down ? to : from]] = (2 * other + down) << 32 | use;
       }
     }
   }
@@ -150,77 +173,31 @@ static void sort(uint64_t *e, size_t count) {
   }
 }
 
-/* Judge an edge, or several on one line, by their sums. An open edge is named rather than a turned
- * one. */
-static void judge_sum(const surface *s, bool odd, int64_t turn, const edge_end *first,
-                      sepax_shell *shell) {
-  bool uneven = turn > 1 || turn < -1;
-  if ((odd && shell->closed) || (uneven && shell->closed && shell->consistent)) {
-    memcpy(shell->edge[0], s->vertex[first->at], sizeof *s->vertex);
-    memcpy(shell->edge[1], s->vertex[first->other], sizeof *s->vertex);
-    shell->facet = shell->body->number[first->triangle];
-  }
-  s->turned[first->triangle] |= uneven;
-  s->open[first->triangle] |= odd;
-  shell->closed = shell->closed && !odd;
-  shell->consistent = shell->consistent && !uneven;
-}
-
-/* Judge the triangles at one edge. Those of an odd number are left to judge_ends. */
-static bool judge_edge(surface *s, const edge_uses *at, edge_ends *ends, sepax_shell *shell) {
-  int32_t turn = 0;
-  uint32_t first = triangle_at(at->edge);
-  for (size_t n = 0; n < at->count; n++) {
-    turn += runs_down(at->edge + n) ? 1 : -1;
-    join(s->parent, first, triangle_at(at->edge + n));
-  }
-  if (at->count > 2 && !s->crowded) {
-    size_t proper = 0;
-    for (size_t n = 0; n < at->count; n++) {
-      proper += third_vertex(s, at, n) != at->from;
+/* Join triangles at edges to parts, and neighbours to sheets. */
+static void join_triangles(const surface *s) {
+  for (edge_uses at = {0, s->edge, 0}; next_edge(s, &at);) {
+    for (size_t n = 1; n < at.count; n++) {
+      join(s->parent, triangle_at(at.edge), triangle_at(at.edge + n));
     }
-    s->crowded = proper > 2;
+    const edge_sum sum = sum_edge(&at);
+    const bool walked = s->walked != NULL && s->walked[at.edge - s->edge];
+    if (!walked && sum.triangles == 2 && sum.turn == 0) {
+      join(s->sheet, sum.two[0], sum.two[1]);
+    }
   }
-  const edge_end end = {at->from, other_vertex(at->edge), first, -turn};
-  if (at->count % 2 != 0) {
-    return sepax__add_ends(ends, end);
-  }
-  judge_sum(s, false, turn, &end, shell);
-  return true;
 }
 
-static bool judge_edges(surface *s, edge_ends *ends, sepax_shell *shell) {
+static bool judge_edges(surface *s, sepax_shell *shell) {
   for (size_t n = 0; n < s->count; n++) {
-    s->parent[n] = (uint32_t)n;
+    s->parent[n] = s->sheet[n] = (uint32_t)n;
   }
   for (uint32_t p = 0; p < s->vertices; p++) {
     sort(s->edge + s->begin[p], s->begin[p + 1] - s->begin[p]);
   }
-  for (edge_uses at = {0, s->edge, 0}; next_edge(s, &at);) {
-    if (!judge_edge(s, &at, ends, shell)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/* If the ends on a line do not cancel, then an edge is open. Otherwise their triangles are one
- * part. */
-static bool judge_ends(const surface *s, edge_ends *ends, sepax_shell *shell) {
-  if (!sepax__sort_ends(s, ends)) {
+  if (!sepax__judge_lines(s, shell)) {
     return false;
   }
-  for (size_t first = 0; first < ends->count;) {
-    const edge_end *end = ends->end + first;
-    size_t count = 0;
-    int64_t away = 0;
-    for (; first + count < ends->count && sepax__compare_ends(s, end, end + count) == 0; count++) {
-      away += end[count].away;
-      join(s->parent, end->triangle, end[count].triangle);
-    }
-    judge_sum(s, count % 2 != 0, away, end, shell);
-    first += count;
-  }
+  join_triangles(s);
   return true;
 }
 
@@ -239,20 +216,17 @@ static bool find(surface *s, const sepax_body *body, sepax_shell *shell) {
     return false;
   }
   s->parent = sepax_allocate(s->count * sizeof *s->parent);
+  s->sheet = sepax_allocate(s->count * sizeof *s->sheet);
   s->turned = sepax__zeroed(s->count, sizeof *s->turned);
   s->open = sepax__zeroed(s->count, sizeof *s->open);
   s->begin = sepax_allocate((s->vertices + 1) * sizeof *s->begin);
   s->edge = sepax_allocate(3 * s->count * sizeof *s->edge);
-  if (s->parent == NULL || s->turned == NULL || s->open == NULL || s->begin == NULL ||
-      s->edge == NULL) {
+  if (s->parent == NULL || s->sheet == NULL || s->turned == NULL || s->open == NULL ||
+      s->begin == NULL || s->edge == NULL) {
     return false;
   }
   list_edges(s);
-  edge_ends ends = {0};
-  bool ok = judge_edges(s, &ends, shell) && judge_ends(s, &ends, shell);
-  s->crowded = s->crowded || (shell->closed && ends.count > 0);
-  sepax_release(ends.end);
-  return ok && sepax__find_copies(s, body) && sepax__find_parts(shell, s);
+  return judge_edges(s, shell) && sepax__find_parts(shell, s);
 }
 
 bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *error) {
@@ -270,9 +244,9 @@ bool sepax_shell_find(sepax_shell *shell, const sepax_body *body, sepax_error *e
   sepax_release(s.parent);
   sepax_release(s.turned);
   sepax_release(s.open);
-  sepax_release(s.word);
-  sepax_release(s.tangled);
-  sepax_release(s.times);
+  sepax_release(s.sheet);
+  sepax_release(s.walked);
+  sepax_release(s.entangled);
   sepax_release(s.begin);
   sepax_release(s.edge);
   if (!ok) {

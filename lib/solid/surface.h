@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* surface.h - a body's vertices, edges and parts while its shell is found (private). */
+/* surface.h - a body's vertices, edges, parts and sheets while its shell is found (private). */
 #ifndef SEPAX_SURFACE_H
 #define SEPAX_SURFACE_H
 
@@ -9,37 +9,26 @@ typedef struct {
   uint32_t tag, number; /* tag of the hash; number of the vertex + 1, 0: free */
 } slot;
 
-/* An end of an edge of an odd number of triangles. */
-typedef struct {
-  uint32_t at, other; /* vertices */
-  uint32_t triangle;
-  int32_t away; /* how many more triangles run from `at` to `other` than back */
-} edge_end;
-
-typedef struct {
-  edge_end *end;
-  size_t count, capacity;
-} edge_ends;
-
 typedef struct {
   size_t count;          /* number of triangles */
   uint32_t (*corner)[3]; /* the vertices of a triangle */
   double (*vertex)[3];
   size_t vertices, capacity;
   slot *slot;
-  size_t mask;      /* slots - 1 */
-  uint32_t *begin;  /* begin of each vertex's list; begin[vertices]: the end of the last one */
-  uint64_t *edge;   /* high half: 2 * other vertex, + 1 if the edge runs to the lower number; low
-                       half: the triangle */
-  bool *turned;     /* marks one triangle at each edge that is not consistent */
-  bool *open;       /* marks one triangle at each open edge */
-  bool crowded;     /* an edge has more than two triangles with three corners */
-  uint32_t *times;  /* of each triangle: how often its sheet is there, 0: not known, SOLID_MEMBER:
-                       that does not matter; NULL: once */
-  uint64_t *word;   /* of each triangle, see sheets.h; NULL if no sheets were needed */
-  bool *tangled;    /* its closed surfaces are too many to be found */
-  uint32_t *parent; /* another triangle of the same part; the first of a part has itself */
+  size_t mask;         /* slots - 1 */
+  uint32_t *begin;     /* begin of each vertex's list; begin[vertices]: the end of the last one */
+  uint64_t *edge;      /* high half: 2 * other vertex, + 1 if the edge runs to the lower number; low
+                          half: the triangle, and EDGE_FLAT */
+  bool *turned;        /* marks one triangle at each edge that is not consistent */
+  bool *open;          /* marks one triangle at each open edge */
+  uint32_t *parent;    /* another triangle of the same part; the first of a part has itself */
+  uint32_t *sheet;     /* another triangle of the same sheet likewise */
+  bool *walked;        /* marks the first use of each edge that lines.c has judged; NULL: none */
+  uint32_t *entangled; /* another triangle at edges that overlap likewise; NULL: none do */
 } surface;
+
+/* Flag of a use of an edge: the triangle's corners are on one line. */
+#define EDGE_FLAT UINT32_C(0x80000000)
 
 /* Triangles at one edge, which begins at its lower vertex. */
 typedef struct {
@@ -48,11 +37,29 @@ typedef struct {
   size_t count;
 } edge_uses;
 
+/* What an edge bounds. A flat triangle bounds nothing: its edges cancel on their line. */
+typedef struct {
+  size_t triangles; /* that are not flat */
+  uint32_t two[2];  /* two of these, if there are two or more */
+  int32_t turn;     /* how many more of them run from the lower to the higher vertex than back */
+} edge_sum;
+
 static inline uint32_t other_vertex(const uint64_t *edge) { return (uint32_t)(*edge >> 33); }
 static inline bool runs_down(const uint64_t *edge) { return (*edge >> 32 & 1) != 0; }
-static inline uint32_t triangle_at(const uint64_t *edge) { return (uint32_t)*edge; }
+static inline uint32_t triangle_at(const uint64_t *edge) { return (uint32_t)*edge & ~EDGE_FLAT; }
+static inline bool is_flat(const uint64_t *edge) { return (*edge & EDGE_FLAT) != 0; }
 
-/* The next edge, of sorted lists; {0, s->edge, 0} comes before the first one. False at the end. */
+/* The edge whose uses, which are sorted, begin at `edge` in the list of vertex `from`. */
+static inline edge_uses edge_at(const surface *s, uint32_t from, const uint64_t *edge) {
+  edge_uses at = {from, edge, 1};
+  const uint64_t *end = s->edge + s->begin[from + 1];
+  while (edge + at.count < end && other_vertex(edge + at.count) == other_vertex(edge)) {
+    at.count++;
+  }
+  return at;
+}
+
+/* The next edge; {0, s->edge, 0} comes before the first one. False at the end. */
 static inline bool next_edge(const surface *s, edge_uses *at) {
   const uint64_t *first = at->edge + at->count;
   while (at->from < s->vertices && first == s->edge + s->begin[at->from + 1]) {
@@ -61,38 +68,27 @@ static inline bool next_edge(const surface *s, edge_uses *at) {
   if (at->from == s->vertices) {
     return false;
   }
-  const uint64_t *end = s->edge + s->begin[at->from + 1];
-  at->edge = first;
-  for (at->count = 1; first + at->count < end; at->count++) {
-    if (other_vertex(first + at->count) != other_vertex(first)) {
-      break;
-    }
-  }
+  *at = edge_at(s, at->from, first);
   return true;
 }
 
-/* The third vertex of a triangle at an edge; `from` if there is none. */
-static inline uint32_t third_vertex(const surface *s, const edge_uses *at, size_t n) {
-  uint32_t to = other_vertex(at->edge);
-  const uint32_t *corner = s->corner[triangle_at(at->edge + n)];
-  for (int k = 0; k < 3; k++) {
-    if (corner[k] != at->from && corner[k] != to) {
-      return corner[k];
+static inline edge_sum sum_edge(const edge_uses *at) {
+  edge_sum sum = {0};
+  for (size_t n = 0; n < at->count; n++) {
+    if (!is_flat(at->edge + n)) {
+      sum.two[sum.triangles++ > 0] = triangle_at(at->edge + n);
+      sum.turn += runs_down(at->edge + n) ? -1 : 1;
     }
   }
-  return at->from;
+  return sum;
 }
 
-/* Add both ends of an edge. `end` is the one at its lower vertex. False without memory. */
-bool sepax__add_ends(edge_ends *ends, edge_end end);
+/* Judge the edges of a surface on their lines: fill in what is open and turned, there and in the
+ * shell; join triangles at such edges to parts; and where edges overlap, fill in `walked` and
+ * `entangled` and join sheets. False without memory. */
+bool sepax__judge_lines(surface *s, sepax_shell *shell);
 
-/* Order ends by their vertices, and at each vertex by lines. compare_ends is exactly 0 for ends at
- * one vertex and on one line. sort_ends returns false without memory. */
-int sepax__compare_ends(const surface *s, const edge_end *p, const edge_end *q);
-bool sepax__sort_ends(const surface *s, edge_ends *ends);
-
-/* Fill in `times`, `word` and `tangled` of a surface whose edges are judged, if it needs them, and
- * join parts that are closed together. False without memory. */
-bool sepax__find_copies(surface *s, const sepax_body *body);
+/* Are three points on one line? Exact. */
+bool sepax__on_line(const double p[3], const double q[3], const double r[3]);
 
 #endif

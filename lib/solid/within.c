@@ -2,17 +2,19 @@
 /* within.c - is a part of one body wholly inside the other?
  *
  * Bodies of which no triangles collide: a part is inside if one vertex of it is, which must not be
- * in the box of all open parts, and that is inside a closed part if a ray from it meets an odd
- * number of triangles. The ray runs along an axis of that body to the nearest side of its box.
- * Doubles decide where they are certain, else ray.c. */
+ * in the box of all open parts. A ray along an axis of that body, to the nearest side of its box
+ * first, is summed up sheet by sheet; sepax.h has the rule. Doubles decide where they are certain,
+ * else ray.c. */
 #include "body/placement.h"
 #include "parts.h"
 #include "ray.h"
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
-enum { STACK = 512 }; /* 64 levels, up to 7 children waiting on each */
+/* STACK: 64 levels, up to 7 children waiting on each. SHEETS: of which a ray meets triangles. */
+enum { STACK = 512, SHEETS = 256 };
 
 typedef struct {
   const sepax_body *body; /* the body whose triangles the ray meets */
@@ -21,8 +23,6 @@ typedef struct {
   double error;
   float at[3], slack; /* the same in the coordinates of its tree */
   int axis, way;
-  const uint32_t *part_of;
-  uint32_t part;             /* only triangles of this part count */
   const double *vertex;      /* the origin as a vertex of its own body's file */
   const sepax_pose *pose[2]; /* pose of the origin's body; pose of `body` */
   bool known;                /* `exact` is filled in */
@@ -106,48 +106,6 @@ static uint32_t children_met(const ray *r, const body_node *node) {
   return ~bits & ((1U << node->children) - 1);
 }
 
-/* Is the ray's origin inside the part: does the ray meet it an odd number of times, or does the
- * part wind round the origin, or do sheets of it enclose the origin? *times: how many copies of one
- * surface are round the origin; 0: not known. */
-static sepax_inside inside_part(ray *r, const solid_part *part, const uint64_t *word,
-                                uint32_t *times) {
-  uint32_t stack[STACK] = {0};
-  int depth = 1;
-  bool odd = false;
-  bool any = false;
-  int64_t turns = 0;
-  uint64_t words = 0;
-  while (depth > 0) {
-    const body_node *node = &r->body->node[stack[--depth]];
-    for (uint32_t mask = children_met(r, node); mask != 0; mask &= mask - 1) {
-      uint32_t child = node->child[__builtin_ctz(mask)];
-      if ((child & BODY_TRIANGLE) == 0) {
-        stack[depth++] = child;
-        continue;
-      }
-      uint32_t number = child - BODY_TRIANGLE;
-      if (r->part_of[number] != r->part) {
-        continue;
-      }
-      const double(*t)[3] = r->body->triangle[number];
-      bool certain;
-      int met = meets(r, t, &certain);
-      met = certain ? met : meets_exactly(r, t);
-      if (met != 0) {
-        any = true;
-        odd = !odd;
-        turns += met;
-        words ^= word != NULL ? word[number] : 0;
-      }
-    }
-  }
-  *times = odd == (part->times % 2 != 0) ? part->times : 0;
-  if (odd || words != 0 || (part->consistent && turns != 0)) {
-    return SEPAX_INSIDE;
-  }
-  return any && part->tangled ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
-}
-
 /* Aim the ray at the nearest side of the body's AABB. False if the origin is outside the AABB.
  *
  * Otherwise the origin is at most 1 + slack in the tree's units, and children_met rounds it to 24
@@ -185,50 +143,171 @@ static bool aim(ray *r) {
   return true;
 }
 
-static bool may_be_in(const ray *r, const double low[3], const double high[3]) {
+static bool may_be_in(const ray *r, const double box[2][3]) {
   for (int i = 0; i < 3; i++) {
-    if (r->from[i] + 2 * r->error < low[i] || r->from[i] - 2 * r->error > high[i]) {
+    if (r->from[i] + 2 * r->error < box[0][i] || r->from[i] - 2 * r->error > box[1][i]) {
       return false;
     }
   }
   return true;
 }
 
-/* Pieces that cancel each other are a cavity only if each of them is certainly one surface, or the
- * same number of copies of one. Otherwise another solid may fill the cavity, or stand in it: a
- * surface of which each triangle is there twice may be both sides of a cavity's faces, or a cavity
- * and what fills it. */
-static sepax_inside inside(ray *r, const sepax_shell *shell) {
-  const solid_part *part = shell->own->part;
-  size_t pieces = 0;
-  uint32_t times = UINT32_MAX;
-  bool unknown = false;
-  r->part_of = shell->own->of;
-  for (uint32_t k = 0; k < shell->parts;) {
-    size_t parts = 0;
-    uint32_t piece = part[k].piece;
-    for (; k < shell->parts && part[k].piece == piece; k++) {
-      r->part = k;
-      if (part[k].open || !may_be_in(r, part[k].low, part[k].high)) {
+/* What a ray meets of a sheet or of a part: how much more often it leaves than it enters, and
+ * whether it does both an odd number of times together. */
+typedef struct {
+  uint32_t part, sheet;
+  int32_t turns;
+  bool odd;
+} crossing;
+
+typedef struct {
+  crossing sheet[SHEETS]; /* in the order of parts, then of sheets */
+  size_t count;
+  bool full; /* there are more sheets */
+} crossings;
+
+/* Add a triangle that the ray meets. */
+static void add_crossing(crossings *all, uint32_t part, uint32_t sheet, int turn) {
+  size_t n = all->count;
+  while (n > 0 && (all->sheet[n - 1].part > part ||
+                   (all->sheet[n - 1].part == part && all->sheet[n - 1].sheet > sheet))) {
+    n--;
+  }
+  if (n > 0 && all->sheet[n - 1].part == part && all->sheet[n - 1].sheet == sheet) {
+    all->sheet[n - 1].turns += turn;
+    all->sheet[n - 1].odd = !all->sheet[n - 1].odd;
+    return;
+  }
+  all->full = all->full || all->count == SHEETS;
+  if (!all->full) {
+    memmove(&all->sheet[n + 1], &all->sheet[n], (all->count - n) * sizeof *all->sheet);
+    all->sheet[n] = (crossing){part, sheet, turn, true};
+    all->count++;
+  }
+}
+
+/* Find what the ray meets of parts that may have its origin inside. */
+static void cross_body(ray *r, const sepax_shell *shell, crossings *all) {
+  const struct sepax_parts *own = shell->own;
+  uint32_t stack[STACK] = {0};
+  int depth = 1;
+  all->count = 0;
+  all->full = false;
+  while (depth > 0) {
+    const body_node *node = &r->body->node[stack[--depth]];
+    for (uint32_t mask = children_met(r, node); mask != 0; mask &= mask - 1) {
+      uint32_t child = node->child[__builtin_ctz(mask)];
+      if ((child & BODY_TRIANGLE) == 0) {
+        stack[depth++] = child;
         continue;
       }
-      uint32_t copies;
-      sepax_inside in = inside_part(r, &part[k], shell->own->word, &copies);
-      unknown = unknown || in == SEPAX_INSIDE_UNKNOWN;
-      if (in == SEPAX_INSIDE) {
-        parts++;
-        times = times == UINT32_MAX || times == copies ? copies : 0;
+      uint32_t number = child - BODY_TRIANGLE;
+      const double(*t)[3] = r->body->triangle[number];
+      bool certain;
+      int met = meets(r, t, &certain);
+      met = certain ? met : meets_exactly(r, t);
+      const uint32_t part = own->of[number];
+      if (met != 0 && may_be_in(r, own->part[part].tangle)) {
+        add_crossing(all, part, own->sheet[number], met * r->way);
       }
     }
-    if (parts > 1) {
-      return SEPAX_INSIDE;
-    }
-    pieces += parts;
   }
-  if (pieces % 2 != 0 || (pieces > 0 && times == 0)) {
+}
+
+/* Sum up the sheets of each part, but for parts of which the ray leaves each sheet as often as it
+ * enters it. They follow each other in `part`. Returns their number. */
+static size_t sum_parts(const crossings *all, crossing part[SHEETS]) {
+  size_t parts = 0;
+  size_t next;
+  for (size_t n = 0; n < all->count; n = next) {
+    crossing sum = {all->sheet[n].part, 0, 0, false};
+    bool cancels = true;
+    for (next = n; next < all->count && all->sheet[next].part == sum.part; next++) {
+      cancels = cancels && all->sheet[next].turns == 0;
+      sum.turns += all->sheet[next].turns;
+      sum.odd ^= all->sheet[next].odd;
+    }
+    if (!cancels) {
+      part[parts++] = sum;
+    }
+  }
+  return parts;
+}
+
+/* Are these parts in each other without touching, an even number of them, from the outermost one on
+ * wound outwards and inwards by turns? Parts that do not touch and have a common point inside are
+ * in each other, so their boxes are, too. */
+static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
+  const solid_part *own = shell->own->part;
+  for (size_t n = 1; n < parts; n++) {
+    const crossing one = part[n];
+    size_t k = n;
+    for (; k > 0 && own[one.part].box[0][0] < own[part[k - 1].part].box[0][0]; k--) {
+      part[k] = part[k - 1];
+    }
+    part[k] = one;
+  }
+  for (size_t n = 0; n < parts; n++) {
+    if (part[n].turns != (n % 2 == 0 ? 1 : -1)) {
+      return false;
+    }
+    for (size_t k = 0; k < n; k++) {
+      if (own[part[k].part].piece == own[part[n].part].piece) {
+        return false;
+      }
+    }
+  }
+  return parts % 2 == 0;
+}
+
+/* What one ray tells. */
+static sepax_inside inside_by_ray(ray *r, const sepax_shell *shell) {
+  crossings all;
+  crossing part[SHEETS];
+  cross_body(r, shell, &all);
+  const size_t met = all.full ? 0 : sum_parts(&all, part);
+  size_t parts = 0;
+  bool odd = false;
+  bool consistent = true;
+  bool negative = true; /* all of them */
+  int64_t turns = 0;
+  for (size_t n = 0; n < met; n++) {
+    const solid_part *own = &shell->own->part[part[n].part];
+    if (!own->open) {
+      odd ^= part[n].odd;
+      consistent = consistent && own->consistent;
+      negative = negative && part[n].turns < 0;
+      turns += part[n].turns;
+      part[parts++] = part[n];
+    }
+  }
+  const bool unclear = all.full || parts < met; /* an open part may close others */
+  if (parts == 0) {
+    return unclear ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
+  }
+  if (consistent ? turns > 0 || negative : odd) {
     return SEPAX_INSIDE;
   }
-  return unknown ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
+  const bool cavity = consistent && turns == 0 && !unclear && is_cavity(shell, part, parts);
+  return cavity ? SEPAX_OUTSIDE : SEPAX_INSIDE_UNKNOWN;
+}
+
+/* If one ray does not tell, then another may. */
+static sepax_inside inside(ray *r, const sepax_shell *shell) {
+  bool any = false;
+  for (size_t k = 0; k < shell->parts && !any; k++) {
+    any = may_be_in(r, shell->own->part[k].tangle);
+  }
+  sepax_inside in = any ? inside_by_ray(r, shell) : SEPAX_OUTSIDE;
+  const int first[2] = {r->axis, r->way};
+  for (int n = 0; n < 6 && in == SEPAX_INSIDE_UNKNOWN; n++) {
+    r->axis = n / 2;
+    r->way = n % 2 == 0 ? 1 : -1;
+    if (r->axis != first[0] || r->way != first[1]) {
+      in = inside_by_ray(r, shell);
+    }
+  }
+  return in;
 }
 
 /* True if the whole part may fit into a box that contains its vertex. The box is up to sqrt(3) of
@@ -237,7 +316,7 @@ static bool may_fit(const solid_part *part, const double box[2][3]) {
   double most = 0;
   double side = 0;
   for (int i = 0; i < 3; i++) {
-    most = fmax(most, part->high[i] - part->low[i]);
+    most = fmax(most, part->box[1][i] - part->box[0][i]);
     side = fmax(side, box[1][i] - box[0][i]);
   }
   return !(most > 2 * side);
@@ -263,7 +342,7 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
     if (!aim(&r)) {
       continue;
     }
-    if (may_be_in(&r, open[0], open[1]) && may_fit(part, open)) {
+    if (may_be_in(&r, open) && may_fit(part, open)) {
       result = SEPAX_INSIDE_UNKNOWN;
       continue;
     }
