@@ -548,8 +548,8 @@ typedef struct {
                         finite number of points, as many edges run in one direction as in the
                         other. If an odd number of edges meets there, then the two numbers differ
                         by 1 */
-  size_t facet;      /* if `closed` or `consistent` is false: a triangle with an edge that breaks
-                        the rule of that field */
+  size_t facet;      /* if `closed` or `consistent` is false: a triangle, not without area, with an
+                        edge that breaks the rule of that field */
   double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
                         rule of `closed` */
   size_t parts;
@@ -574,18 +574,18 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * AABB that encloses all open parts of B. If A has such a part and no other part of A is inside B,
  * then within[0] is SEPAX_INSIDE_UNKNOWN. within[1] likewise.
  *
- * The triangles at an edge are neighbours if the edge has exactly two of them, which run along it in
- * opposite directions. Triangles that are joined by neighbours form a sheet. A ray crosses a triangle
- * outwards if it leaves on the triangle's outer side, and inwards otherwise.
+ * The triangles at an edge are neighbours if the edge has exactly two of them, which run along it
+ * in opposite directions. Triangles that are joined by neighbours form a sheet. A ray crosses a
+ * triangle outwards if it leaves on the triangle's outer side, and inwards otherwise.
  *   1. If a ray from a point crosses each sheet as often outwards as inwards, then the point is
  *      outside. No closed surface that any of the triangles form encloses the point.
  *   2. Otherwise the crossings of the other parts are summed. If each of these parts is consistent,
  *      then the point is inside if more crossings are outwards than inwards, or if that is so in
  *      none of the parts (a body inside out). If a part is not consistent, then the point is inside
  *      if the number of all crossings is odd.
- *   3. If as many crossings are outwards as inwards, then the point is outside if it is in a cavity:
- *      the parts round the point do not touch each other, and from the outermost part on they are
- *      wound outwards and inwards by turns.
+ *   3. If as many crossings are outwards as inwards, then the point is outside if it is in a
+ *      cavity: the parts round the point do not touch each other, and from the outermost part on
+ *      they are wound outwards and inwards by turns.
  *   4. Otherwise the point is SEPAX_INSIDE_UNKNOWN, if none of six rays tells more.
  * So the solids of one body are united, also if one lies in another one. A cavity must be wound
  * inwards. The rules do not decide inside a surface that has both sides of each face, and where
@@ -596,6 +596,25 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * ARGUMENT if a pose is not valid. */
 bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error);
+
+/* Why does a point get its answer? */
+typedef enum {
+  SEPAX_WITHIN_PLAIN,  /* there is nothing to say */
+  SEPAX_WITHIN_NESTED, /* INSIDE several shells that do not touch and are wound alike: solids in
+                          each other. A cavity must be wound inwards */
+  SEPAX_WITHIN_OPEN,   /* UNKNOWN: open parts may enclose the point */
+  SEPAX_WITHIN_INCONSISTENT, /* UNKNOWN: a part round the point has a triangle that is turned round
+                              */
+  SEPAX_WITHIN_TWO_SIDED,    /* UNKNOWN: a part round the point has both sides of faces */
+  SEPAX_WITHIN_OPPOSED,      /* UNKNOWN: parts round the point touch and are wound in opposite ways:
+                                one of them is inside out, or a cavity that touches its wall */
+  SEPAX_WITHIN_SHEETS        /* UNKNOWN: a ray crosses more than 256 sheets */
+} sepax_within_reason;
+
+/* As sepax_bodies_within; why[i] is the reason of within[i]. */
+bool sepax_bodies_within_why(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                             const sepax_pose *pose_b, sepax_inside within[2],
+                             sepax_within_reason why[2], sepax_error *error);
 
 #ifdef __GNUC__
 #pragma GCC visibility pop

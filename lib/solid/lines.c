@@ -32,8 +32,8 @@ typedef struct {
 /* A direction from a vertex: to a point, or away from it. */
 typedef struct {
   const double *from, *to;
-  int axis; /* the first one along which they differ */
-  bool low; /* `to` is lower there */
+  int axis;  /* the first one along which they differ */
+  bool low;  /* `to` is lower there */
   bool back; /* the direction runs to lower coordinates there */
 } direction;
 
@@ -42,9 +42,9 @@ typedef struct {
   double low, high; /* of its ends, along an axis */
   uint32_t edge;    /* its first use, in the list of vertex `from` */
   uint32_t from;
-  bool up;          /* `from` is at `low` */
-  int32_t flow;     /* what flows through it: 0, a number or minus a number that stands for
-                       something unknown, or UNKNOWN */
+  bool up;      /* `from` is at `low` */
+  int32_t flow; /* what flows through it: 0, a number or minus a number that stands for
+                   something unknown, or UNKNOWN */
 } stretch;
 
 enum { UNKNOWN = INT32_MIN };
@@ -63,11 +63,11 @@ typedef struct {
   size_t seeds, seed_capacity;
   uint32_t *stack; /* vertices of a line */
   size_t depth, stack_capacity;
-  uint32_t *seen;  /* of each vertex: the number of the last line that was gathered there */
+  uint32_t *seen; /* of each vertex: the number of the last line that was gathered there */
   uint32_t lines;
-  stretch *line;   /* sorted by `low` */
+  stretch *line; /* sorted by `low` */
   size_t stretches, line_capacity;
-  line_end *end;   /* their high ends, sorted */
+  line_end *end;        /* their high ends, sorted */
   uint32_t (*alike)[2]; /* of each number of a flow: a triangle + 1 whose factor it is, and one
                            whose factor is minus it; 0: none */
 } wheel;
@@ -368,8 +368,7 @@ static bool visit_vertex(wheel *w, uint32_t at, arm *arms) {
 /* --------------------------------------------------- the lines of edges that overlap */
 
 /* Add the edges at a vertex that are on a line, and their other ends to the stack. */
-static bool add_run(wheel *w, const direction *along, uint32_t at, const spoke *run,
-                    size_t count) {
+static bool add_run(wheel *w, const direction *along, uint32_t at, const spoke *run, size_t count) {
   for (size_t n = 0; n < count; n++) {
     const uint32_t edge = run[n].edge >> 1;
     if (w->s->walked[edge]) {

@@ -6,11 +6,11 @@
 #include "surface.h"
 
 typedef struct {
-  double vertex[3];       /* one vertex of the part */
-  double box[2][3];       /* its AABB: least and greatest coordinates */
+  double vertex[3]; /* one vertex of the part */
+  double box[2][3]; /* its AABB: least and greatest coordinates */
   bool consistent;
-  bool open;      /* it has an open edge */
-  uint32_t piece; /* number of its piece; parts with common points have the same */
+  bool open;           /* it has an open edge */
+  uint32_t piece;      /* number of its piece; parts with common points have the same */
   double tangle[2][3]; /* the AABB of all parts with which it may form closed surfaces, because
                           their edges overlap; its own if none do */
 } solid_part;

@@ -102,8 +102,8 @@ static bool number_vertices(surface *s, const sepax_body *body) {
 
 /* ------------------------------------------------------------------------- edges */
 
-/* Is the triangle without area? Each product is wrong by less than 4 u of its size, u = 2^-53, or by
- * what underflows. */
+/* Is the triangle without area? Each product is wrong by less than 4 u of its size, u = 2^-53, or
+ * by what underflows. */
 static bool is_flat_triangle(const surface *s, const uint32_t corner[3]) {
   const double *p = s->vertex[corner[0]];
   double v[2][3];

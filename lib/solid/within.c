@@ -27,6 +27,7 @@ typedef struct {
   const sepax_pose *pose[2]; /* pose of the origin's body; pose of `body` */
   bool known;                /* `exact` is filled in */
   exact_point exact;
+  sepax_within_reason why; /* of the last answer */
 } ray;
 
 /* As sepax__exact_ray_meets, for certain or not.
@@ -260,36 +261,61 @@ static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
   return parts % 2 == 0;
 }
 
-/* What one ray tells. */
+/* Of some parts that a ray crosses. */
+typedef struct {
+  size_t parts;
+  int64_t turns;
+  bool odd;
+  bool consistent; /* each of them is */
+  bool negative;   /* each of them is crossed more often inwards */
+  bool zero;       /* one of them is crossed as often outwards as inwards */
+  bool apart;      /* two of them do not touch */
+} crossing_sum;
+
+/* Add up closed parts; they become the first ones of the list. */
+static crossing_sum sum_closed(const sepax_shell *shell, crossing *part, size_t count) {
+  crossing_sum sum = {.consistent = true, .negative = true};
+  for (size_t n = 0; n < count; n++) {
+    const solid_part *own = &shell->own->part[part[n].part];
+    if (!own->open) {
+      sum.odd ^= part[n].odd;
+      sum.consistent = sum.consistent && own->consistent;
+      sum.negative = sum.negative && part[n].turns < 0;
+      sum.zero = sum.zero || part[n].turns == 0;
+      sum.turns += part[n].turns;
+      part[sum.parts++] = part[n];
+      sum.apart = sum.apart || own->piece != shell->own->part[part[0].part].piece;
+    }
+  }
+  return sum;
+}
+
+/* What one ray tells, and why. */
 static sepax_inside inside_by_ray(ray *r, const sepax_shell *shell) {
   crossings all;
   crossing part[SHEETS];
   cross_body(r, shell, &all);
   const size_t met = all.full ? 0 : sum_parts(&all, part);
-  size_t parts = 0;
-  bool odd = false;
-  bool consistent = true;
-  bool negative = true; /* all of them */
-  int64_t turns = 0;
-  for (size_t n = 0; n < met; n++) {
-    const solid_part *own = &shell->own->part[part[n].part];
-    if (!own->open) {
-      odd ^= part[n].odd;
-      consistent = consistent && own->consistent;
-      negative = negative && part[n].turns < 0;
-      turns += part[n].turns;
-      part[parts++] = part[n];
-    }
+  const crossing_sum sum = sum_closed(shell, part, met);
+  const bool open = sum.parts < met; /* an open part may close others */
+  r->why = SEPAX_WITHIN_PLAIN;
+  if (met == 0 && !all.full) {
+    return SEPAX_OUTSIDE;
   }
-  const bool unclear = all.full || parts < met; /* an open part may close others */
-  if (parts == 0) {
-    return unclear ? SEPAX_INSIDE_UNKNOWN : SEPAX_OUTSIDE;
-  }
-  if (consistent ? turns > 0 || negative : odd) {
+  if (sum.parts > 0 && (sum.consistent ? sum.turns > 0 || sum.negative : sum.odd)) {
+    const bool nested = sum.consistent && sum.apart && (sum.turns > 1 || sum.turns < -1);
+    r->why = nested ? SEPAX_WITHIN_NESTED : SEPAX_WITHIN_PLAIN;
     return SEPAX_INSIDE;
   }
-  const bool cavity = consistent && turns == 0 && !unclear && is_cavity(shell, part, parts);
-  return cavity ? SEPAX_OUTSIDE : SEPAX_INSIDE_UNKNOWN;
+  if (sum.consistent && sum.turns == 0 && !open && !all.full && is_cavity(shell, part, sum.parts)) {
+    return SEPAX_OUTSIDE;
+  }
+  r->why = all.full          ? SEPAX_WITHIN_SHEETS
+           : open            ? SEPAX_WITHIN_OPEN
+           : !sum.consistent ? SEPAX_WITHIN_INCONSISTENT
+           : sum.zero        ? SEPAX_WITHIN_TWO_SIDED
+                             : SEPAX_WITHIN_OPPOSED;
+  return SEPAX_INSIDE_UNKNOWN;
 }
 
 /* If one ray does not tell, then another may. */
@@ -299,6 +325,7 @@ static sepax_inside inside(ray *r, const sepax_shell *shell) {
     any = may_be_in(r, shell->own->part[k].tangle);
   }
   sepax_inside in = any ? inside_by_ray(r, shell) : SEPAX_OUTSIDE;
+  const sepax_within_reason why = r->why;
   const int first[2] = {r->axis, r->way};
   for (int n = 0; n < 6 && in == SEPAX_INSIDE_UNKNOWN; n++) {
     r->axis = n / 2;
@@ -307,6 +334,7 @@ static sepax_inside inside(ray *r, const sepax_shell *shell) {
       in = inside_by_ray(r, shell);
     }
   }
+  r->why = in == SEPAX_INSIDE_UNKNOWN ? why : r->why;
   return in;
 }
 
@@ -323,7 +351,8 @@ static bool may_fit(const solid_part *part, const double box[2][3]) {
 }
 
 static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
-                                const sepax_shell *b, const sepax_pose *pose_b) {
+                                const sepax_shell *b, const sepax_pose *pose_b,
+                                sepax_within_reason *why) {
   placement at;
   sepax_inside result = SEPAX_OUTSIDE;
   const double(*open)[3] = (const double(*)[3])b->own->open;
@@ -331,6 +360,7 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
   sepax__place_bodies(&at, b->body, pose_b, a->body,
                       pose_a); /* a sum that overflows is far outside */
   r.error = at.error;
+  *why = SEPAX_WITHIN_PLAIN;
   for (size_t k = 0; k < a->parts; k++) {
     const solid_part *part = &a->own->part[k];
     r.vertex = part->vertex;
@@ -342,26 +372,35 @@ static sepax_inside find_inside(const sepax_shell *a, const sepax_pose *pose_a,
     if (!aim(&r)) {
       continue;
     }
-    if (may_be_in(&r, open) && may_fit(part, open)) {
-      result = SEPAX_INSIDE_UNKNOWN;
-      continue;
+    const bool maybe_open = may_be_in(&r, open) && may_fit(part, open);
+    const sepax_inside one = maybe_open ? SEPAX_INSIDE_UNKNOWN : inside(&r, b);
+    if (one != SEPAX_OUTSIDE && result == SEPAX_OUTSIDE) {
+      *why = maybe_open ? SEPAX_WITHIN_OPEN : r.why;
+      result = one;
     }
-    const sepax_inside one = inside(&r, b);
     if (one == SEPAX_INSIDE) {
+      *why = r.why;
       return SEPAX_INSIDE;
     }
-    result = one == SEPAX_INSIDE_UNKNOWN ? one : result;
   }
   return result;
 }
 
-bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
-                         const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error) {
+bool sepax_bodies_within_why(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                             const sepax_pose *pose_b, sepax_inside within[2],
+                             sepax_within_reason why[2], sepax_error *error) {
   within[0] = within[1] = SEPAX_INSIDE_UNKNOWN;
+  why[0] = why[1] = SEPAX_WITHIN_PLAIN;
   if (!sepax__poses_valid(pose_a, pose_b, error)) {
     return false;
   }
-  within[0] = find_inside(a, pose_a, b, pose_b);
-  within[1] = find_inside(b, pose_b, a, pose_a);
+  within[0] = find_inside(a, pose_a, b, pose_b, &why[0]);
+  within[1] = find_inside(b, pose_b, a, pose_a, &why[1]);
   return true;
+}
+
+bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
+                         const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error) {
+  sepax_within_reason why[2];
+  return sepax_bodies_within_why(a, pose_a, b, pose_b, within, why, error);
 }

@@ -30,7 +30,8 @@ typedef struct {
 
 static bool ask_within(const solids *s, const sepax_pose *pose, check_answer *answer,
                        sepax_error *error) {
-  if (!sepax_bodies_within(&s->shell[0], NULL, &s->shell[1], pose, answer->within, error)) {
+  if (!sepax_bodies_within_why(&s->shell[0], NULL, &s->shell[1], pose, answer->within, answer->why,
+                               error)) {
     return false;
   }
   answer->within_asked = true;

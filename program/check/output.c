@@ -4,6 +4,7 @@
 #include "report/json.h"
 #include "report/ply.h"
 #include "report/text.h"
+#include "report/within.h"
 #include "util/error.h"
 #include "util/write_file.h"
 
@@ -45,8 +46,28 @@ static void print_surface(const check_question *q, const check_report *report, i
   } else if (!s->consistent) {
     printf(
         "%c winds inconsistently: facet %zu and its neighbour run along their common edge in the "
-        "same direction; no verdict depends on that\n",
-        "AB"[i], s -> facet);
+        "same direction; that matters where a body may be inside %c\n",
+        "AB"[i], s -> facet, "AB"[i]);
+  }
+}
+
+/* Print each reason once, with the first pose that has it. */
+static void print_reasons(const check_question *q, const check_report *report) {
+  bool said[2][SEPAX_WITHIN_SHEETS + 1] = {{false}};
+  for (size_t n = 0; n < report->answers; n++) {
+    const check_answer *a = &report->answer[n];
+    for (int i = 0; i < 2; i++) {
+      const sepax_within_reason why = a->within_asked ? a->why[i] : SEPAX_WITHIN_PLAIN;
+      if (why == SEPAX_WITHIN_PLAIN || said[i][why]) {
+        continue;
+      }
+      said[i][why] = true;
+      if (q->poses_path != NULL) {
+        printf("pose %zu: ", n);
+      }
+      report_print_within(why, i == 0 ? "A" : "B", i == 0 ? "B" : "A");
+      putchar('\n');
+    }
   }
 }
 
@@ -171,6 +192,7 @@ void check_print_text(const check_question *q, const check_report *report) {
   } else {
     print_surface(q, report, 0);
     print_surface(q, report, 1);
+    print_reasons(q, report);
   }
   (q->poses_path != NULL ? print_poses : print_verdict)(q, report);
   putchar(' ');
@@ -193,6 +215,11 @@ static void set_within(json_t *to, const char *name, const check_answer *a, int 
   sepax_inside within = a->within[i];
   bool known = a->within_asked && within != SEPAX_INSIDE_UNKNOWN;
   json_object_set_new(to, name, known ? json_boolean(within == SEPAX_INSIDE) : json_null());
+  if (a->within_asked && a->why[i] != SEPAX_WITHIN_PLAIN) {
+    char reason[32];
+    snprintf(reason, sizeof reason, "%s_reason", name);
+    json_object_set_new(to, reason, json_string(report_within_name(a->why[i])));
+  }
 }
 
 static json_t *answer_as_json(const check_question *q, const check_report *report,

@@ -27,6 +27,7 @@ typedef struct {
   sepax_pairs colliding, undecided, warned;
   bool within_asked;
   sepax_inside within[2]; /* [0]: is a part of A inside B; [1]: is a part of B inside A */
+  sepax_within_reason why[2];
 } check_answer;
 
 /* What is known of the surface of a body. */

@@ -130,8 +130,11 @@ typedef struct {
   unsigned may_meet;                                    /* in motions of kind k if bit k is set */
   size_t lines_asked, lines_left_out, motions_left_out; /* left out by rules */
   size_t lines[VERDICTS];                               /* number of lines with each verdict */
-  size_t first[VERDICTS]; /* first line with each verdict, or PATH_NO_LINE */
-  double least;           /* least clearance; infinite if it was not computed */
+  size_t first[VERDICTS];  /* first line with each verdict, or PATH_NO_LINE */
+  sepax_within_reason why; /* of the first undecided line: why it is not known whether body[why_of]
+                              is inside the other one */
+  int why_of;
+  double least; /* least clearance; infinite if it was not computed */
   size_t least_line;
   double interval[2]; /* the exact least clearance is within these numbers */
   size_t measured;    /* number of searches for the distance in a line */

@@ -2,6 +2,7 @@
 /* data.c - the results of sepax path for programs: JSON and CSV. */
 #include "report/json.h"
 #include "report/text.h"
+#include "report/within.h"
 #include "path/common/parts.h"
 #include "report/csv.h"
 #include "util/write_file.h"
@@ -153,6 +154,10 @@ static json_t *pair_of(const path_scene *scene, const path_pair *pair) {
   for (int v = 0; v < VERDICTS; v++) {
     report_set_count(lines, report_verdict_names[v], pair->lines[v]);
     json_object_set_new(first, report_verdict_names[v], line_of(scene, pair, pair->first[v]));
+  }
+  if (pair->why != SEPAX_WITHIN_PLAIN) {
+    json_object_set_new(json, pair->why_of == 0 ? "a_inside_b_reason" : "b_inside_a_reason",
+                        json_string(report_within_name(pair->why)));
   }
   json_object_set_new(json, "lines", lines);
   json_object_set_new(json, "first", first);

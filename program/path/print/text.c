@@ -2,6 +2,7 @@
 /* text.c - what sepax path prints for people. */
 #include "path/print/text.h"
 #include "report/text.h"
+#include "report/within.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -152,6 +153,11 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
     if (pair->tool != FORMAT_NO_NAME) {
       printf(" with tool %.60s", scene->motion.name[pair->tool]);
     }
+  }
+  if (pair->why != SEPAX_WITHIN_PLAIN) {
+    fputs("; ", stdout);
+    report_print_within(pair->why, path_body_name(scene, pair->body[pair->why_of]),
+                        path_body_name(scene, pair->body[!pair->why_of]));
   }
   if (pair->may_meet != 0) {
     print_allowed(pair);

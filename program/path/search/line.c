@@ -161,3 +161,20 @@ bool path_line_within(const path_line *l, report_verdict *verdict, sepax_error *
   }
   return true;
 }
+
+bool path_line_why(const path_line *l, int *side, sepax_within_reason *why, sepax_error *error) {
+  *why = SEPAX_WITHIN_PLAIN;
+  for (size_t i = 0; i < l->body[0]->parts; i++) {
+    for (size_t k = 0; k < l->body[1]->parts && *why == SEPAX_WITHIN_PLAIN; k++) {
+      sepax_inside within[2];
+      sepax_within_reason both[2];
+      if (!sepax_bodies_within_why(&l->body[0]->part[i].shell, &l->pose[0],
+                                   &l->body[1]->part[k].shell, &l->pose[1], within, both, error)) {
+        return false;
+      }
+      *side = within[0] == SEPAX_INSIDE_UNKNOWN ? 0 : 1;
+      *why = within[*side] == SEPAX_INSIDE_UNKNOWN ? both[*side] : SEPAX_WITHIN_PLAIN;
+    }
+  }
+  return true;
+}

@@ -58,4 +58,7 @@ bool path_line_boxes_overlap(const path_line *l);
  * of a body is inside a part of the other, or may be. */
 bool path_line_within(const path_line *l, report_verdict *verdict, sepax_error *error);
 
+/* Why is it not known whether a part of body *side is inside a part of the other one? */
+bool path_line_why(const path_line *l, int *side, sepax_within_reason *why, sepax_error *error);
+
 #endif

@@ -396,6 +396,20 @@ static bool prepare(work *all, size_t at_once, sepax_error *error) {
          sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for bounds of %zu lines", lines);
 }
 
+/* Find out why the first undecided line of each pair is so. */
+static bool find_reasons(path_scene *scene, const path_question *q, sepax_error *error) {
+  bool ok = true;
+  for (size_t n = 0; n < scene->pairs && ok; n++) {
+    path_pair *pair = &scene->pair[n];
+    if (pair->lines[VERDICT_UNDECIDED] > 0) {
+      path_line l = path_line_begin(scene, q, pair);
+      path_line_pose(&l, pair->first[VERDICT_UNDECIDED]);
+      ok = path_line_why(&l, &pair->why_of, &pair->why, error);
+    }
+  }
+  return ok;
+}
+
 bool path_search(path_scene *scene, const path_question *q, sepax_error *error) {
   size_t lines = scene->motion.lines;
   size_t at_once = BOUNDS / lines > 0 ? BOUNDS / lines : 1;
@@ -418,5 +432,5 @@ bool path_search(path_scene *scene, const path_question *q, sepax_error *error) 
   }
   free(all.bound);
   scene->seconds = cli_progress_end(&progress);
-  return ok && !atomic_flag_test_and_set(&all.failing);
+  return ok && !atomic_flag_test_and_set(&all.failing) && find_reasons(scene, q, error);
 }

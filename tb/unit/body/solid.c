@@ -74,9 +74,22 @@ static bool collide(sepax_body *body[2], const sepax_pose *pa, const sepax_pose 
 /* ------------------------------------------------------------------------- cases */
 
 typedef struct {
-  size_t free, within[2], colliding, cancelled;
+  size_t free, within[2], colliding, unknown;
 } tally;
 
+/* Of triangles whose coordinates have few digits. */
+static bool is_flat(const double v[3][3]) {
+  bool flat = true;
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3;
+    const double left = (v[1][i] - v[0][i]) * (v[2][j] - v[0][j]);
+    const double right = (v[1][j] - v[0][j]) * (v[2][i] - v[0][i]);
+    flat = flat && !(left < right) && !(left > right);
+  }
+  return flat;
+}
+
+/* A triangle without area opens and turns nothing. */
 static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const sepax_soup *m) {
   assert_int_equal(shell->closed, o->closed);
   assert_true(!shell->closed || shell->consistent == o->consistent);
@@ -88,20 +101,19 @@ static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const 
     bool named = false;
     for (size_t k = 0; k < 3 * m->count; k++) {
       const double(*u)[3] = m->facet[k / 3].v;
-      int way = same_edge(shell->edge[0], shell->edge[1], u[k % 3], u[(k + 1) % 3]);
+      int way =
+          is_flat(u) ? 0 : same_edge(shell->edge[0], shell->edge[1], u[k % 3], u[(k + 1) % 3]);
       count += way != 0;
       turns += way;
       named = named || (way != 0 && k / 3 == shell->facet);
     }
     assert_true(named);
-    assert_true(count % 2 != 0 || (shell->closed && abs(turns) > 1));
+    assert_true(count % 2 != 0 || (shell->closed && turns != 0));
   }
 }
 
-/* block: 0, or m[1] is closed in blocks of so many triangles. What is inside of one may then be
- * inside m[1] even if others cancel it. */
-static void assert_within_blocks(const sepax_soup m[2], const sepax_pose *pa, const sepax_pose *pb,
-                                 size_t block, tally *seen) {
+static void assert_within(const sepax_soup m[2], const sepax_pose *pa, const sepax_pose *pb,
+                          tally *seen) {
   sepax_body *body[2];
   sepax_shell shell[2];
   oracle_shell expected[2];
@@ -119,17 +131,14 @@ static void assert_within_blocks(const sepax_soup m[2], const sepax_pose *pa, co
     space s;
     place(&s, m, (const sepax_pose *const[]){pa, pb});
     for (int i = 0; i < 2; i++) {
-      bool in_closed = oracle_within(&s, i, &expected[!i]);
-      bool in_block =
-          i == 0 && block != 0 ? oracle_within_blocks(&s, i, &expected[!i], block) : in_closed;
-      assert_true(in_block || !in_closed);
+      oracle_answer expected_answer = oracle_within(&s, i, &expected[!i]);
       if (!expected[!i].closed) {
         assert_may_be_within(within[i], &m[i], i == 0 ? pa : pb, &m[!i], i == 0 ? pb : pa,
-                             &expected[!i], in_closed, in_block);
-      } else if (in_closed == in_block) {
-        assert_int_equal(within[i], in_closed ? SEPAX_INSIDE : SEPAX_OUTSIDE);
+                             &expected[!i], expected_answer);
+      } else {
+        assert_answer(within[i], expected_answer);
       }
-      seen->cancelled += in_closed != in_block;
+      seen->unknown += within[i] == SEPAX_INSIDE_UNKNOWN;
     }
     leave(&s);
     seen->within[0] += within[0] == SEPAX_INSIDE;
@@ -141,11 +150,6 @@ static void assert_within_blocks(const sepax_soup m[2], const sepax_pose *pa, co
     sepax_body_free(body[k]);
     free_oracle_shell(&expected[k]);
   }
-}
-
-static void assert_within(const sepax_soup m[2], const sepax_pose *pa, const sepax_pose *pb,
-                          tally *seen) {
-  assert_within_blocks(m, pa, pb, 0, seen);
 }
 
 CASE(nested) {
@@ -265,15 +269,14 @@ CASE(overlapping) {
       move_mesh(&m[0], &p);
       move_mesh(&m[1], &p);
     }
-    assert_within_blocks(m, NULL, NULL, 12, &seen);
-    assert_within_blocks(m, &p, &q, 12, &seen);
+    assert_within(m, NULL, NULL, &seen);
+    assert_within(m, &p, &q, &seen);
     sepax_soup_free(&m[0]);
     sepax_soup_free(&m[1]);
   }
-  print_message("%zu free, %zu %zu within, %zu colliding, %zu cancelled\n", seen.free,
-                seen.within[0], seen.within[1], seen.colliding, seen.cancelled);
-  assert_true(seen.free > FEWER(250) && seen.within[0] > FEWER(250) &&
-              seen.cancelled + 1 > FEWER(6));
+  print_message("%zu free, %zu %zu within, %zu colliding, %zu unknown\n", seen.free,
+                seen.within[0], seen.within[1], seen.colliding, seen.unknown);
+  assert_true(seen.free > FEWER(250) && seen.within[0] > FEWER(200) && seen.unknown > FEWER(6));
 }
 
 /* A vertex in the middle of an edge, exactly: in doubles, on either side of its triangles. */

@@ -10,7 +10,8 @@ CASE(one_of_two_inside_out) {
     sepax_soup m = {0};
     add_block(&m, corner[0], corner[1], (which & 1) != 0);
     add_block(&m, corner[2], corner[3], (which & 2) != 0);
-    assert_small(&m, 1.5, 0.5, 1, true, true, SEPAX_INSIDE);  /* in both */
+    assert_small(&m, 1.5, 0.5, 1, true, true, /* in both */
+                 which % 3 == 0 ? SEPAX_INSIDE : SEPAX_INSIDE_UNKNOWN);
     assert_small(&m, 0.5, 1.5, 1, true, true, SEPAX_INSIDE);  /* in one */
     assert_small(&m, 2.5, 1.5, 1, true, true, SEPAX_OUTSIDE); /* beside */
     sepax_soup_free(&m);
@@ -63,9 +64,23 @@ CASE(cavity) {
   const double in[2][3] = {{0.5, 0.5, 0.5}, {1.5, 1.5, 1.5}};
   sepax_soup m = {0};
   add_block(&m, corner[0], corner[1], false);
-  add_block(&m, in[0], in[1], false);
+  add_block(&m, in[0], in[1], false); /* a solid in a solid */
+  assert_small(&m, 1, 1, 1, true, true, SEPAX_INSIDE);
+  m.count -= 12;
+  add_block(&m, in[0], in[1], true);
   assert_small(&m, 1, 1, 1, true, true, SEPAX_OUTSIDE);
   assert_small(&m, 0.25, 0.25, 0.25, true, true, SEPAX_INSIDE);
+  turn_round(&m.facet[13]); /* a cavity or a solid */
+  assert_small(&m, 1, 1, 1, true, false, SEPAX_INSIDE_UNKNOWN);
+  turn_round(&m.facet[13]);
+  for (size_t n = 0; n < m.count; n++) { /* a solid in one that is inside out, or a cavity */
+    turn_round(&m.facet[n]);
+  }
+  assert_small(&m, 1, 1, 1, true, true, SEPAX_INSIDE_UNKNOWN);
+  assert_small(&m, 0.25, 0.25, 0.25, true, true, SEPAX_INSIDE);
+  for (size_t n = 0; n < m.count; n++) {
+    turn_round(&m.facet[n]);
+  }
   m.count--; /* what is open has no inside, but the wall around its box has one */
   assert_small(&m, 1, 1, 1, false, true, SEPAX_INSIDE_UNKNOWN);
   assert_small(&m, 0.25, 0.25, 0.25, false, true, SEPAX_INSIDE);
@@ -80,8 +95,8 @@ CASE(cavity_in_a_piece) {
   const double hole[2][3] = {{1, 1, 1}, {2, 2, 2}};
   sepax_soup m = {0};
   add_block(&m, first[0], first[1], false);
-  add_block(&m, hole[0], hole[1], false);
-  add_block(&m, second[0], second[1], true);
+  add_block(&m, hole[0], hole[1], true);
+  add_block(&m, second[0], second[1], false);
   assert_small(&m, 1.5, 1.5, 1.5, true, true, SEPAX_OUTSIDE);
   assert_small(&m, 3.5, 2, 2, true, true, SEPAX_INSIDE);
   assert_small(&m, 5, 4.5, 2, true, true, SEPAX_INSIDE);
@@ -89,17 +104,24 @@ CASE(cavity_in_a_piece) {
   sepax_soup_free(&m);
 }
 
-/* A part that touches another, in one point, is one piece with it. */
+/* A part that touches another, in one point, is one piece with it: no cavity, for certain. */
 CASE(touching_parts) {
   const double c[3] = {0.75, 1.25, 1.5};
   sepax_soup m = {0};
   add_block(&m, corner[0], corner[1], false);
   add_octahedron(&m, c, 0.5);
   assert_small(&m, 0.75, 1.25, 1.5, true, true, SEPAX_INSIDE);
+  for (size_t n = 12; n < m.count; n++) {
+    turn_round(&m.facet[n]);
+  }
+  assert_small(&m, 0.75, 1.25, 1.5, true, true, SEPAX_INSIDE_UNKNOWN);
   sepax_soup_free(&m);
   const double lower[3] = {0.75, 1.25, 1.25};
   add_block(&m, corner[0], corner[1], false);
   add_octahedron(&m, lower, 0.5);
+  for (size_t n = 12; n < m.count; n++) {
+    turn_round(&m.facet[n]);
+  }
   assert_small(&m, 0.75, 1.25, 1.25, true, true, SEPAX_OUTSIDE);
   sepax_soup_free(&m);
 }

@@ -125,7 +125,7 @@ CASE(by_solid_angle) {
 }
 
 /* A block and one that is moved, or the same once more, maybe split along other diagonals: what is
- * in both is inside. Inside out, the second must be another part to be seen. */
+ * in both is inside, unless one of them is inside out. */
 CASE(twice) {
   const double low[3] = {0, 0, 0};
   const double high[3] = {20, 20, 20};
@@ -140,7 +140,8 @@ CASE(twice) {
     bool other_part = from[0] != 0 && from[1] != 0 && from[2] != 0;
     sepax_soup m = {0};
     add_block(&m, low, high, n % 2 == 0);
-    add_block(&m, from, to, other_part ? random_below(2) == 0 : n % 2 == 0);
+    const bool turned = other_part ? random_below(2) == 0 : n % 2 == 0;
+    add_block(&m, from, to, turned);
     sepax_soup small = tiny(p);
     solid both;
     solid one;
@@ -148,7 +149,7 @@ CASE(twice) {
     make(&both, &m);
     make(&one, &small);
     assert_works(sepax_bodies_within(&one.shell, NULL, &both.shell, NULL, within, &fault));
-    assert_int_equal(within[0], SEPAX_INSIDE);
+    assert_int_equal(within[0], turned == (n % 2 == 0) ? SEPAX_INSIDE : SEPAX_INSIDE_UNKNOWN);
     assert_int_equal(within[1], SEPAX_OUTSIDE);
     drop(&both);
     drop(&one);
