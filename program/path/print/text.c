@@ -154,11 +154,6 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
       printf(" with tool %.60s", scene->motion.name[pair->tool]);
     }
   }
-  if (pair->why != SEPAX_WITHIN_PLAIN) {
-    fputs("; ", stdout);
-    report_print_within(pair->why, path_body_name(scene, pair->body[pair->why_of]),
-                        path_body_name(scene, pair->body[!pair->why_of]));
-  }
   if (pair->may_meet != 0) {
     print_allowed(pair);
   }
@@ -168,6 +163,11 @@ static void print_pair(const path_scene *scene, const path_pair *pair, int width
         stdout);
   print_way(scene, pair);
   path_print_least(scene, pair);
+  if (pair->why != SEPAX_WITHIN_PLAIN) {
+    fputs("; ", stdout);
+    report_print_within(pair->why, path_body_name(scene, pair->body[pair->why_of]),
+                        path_body_name(scene, pair->body[!pair->why_of]));
+  }
   putchar('\n');
 }
 

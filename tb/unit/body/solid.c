@@ -274,8 +274,8 @@ CASE(overlapping) {
     sepax_soup_free(&m[0]);
     sepax_soup_free(&m[1]);
   }
-  print_message("%zu free, %zu %zu within, %zu colliding, %zu unknown\n", seen.free,
-                seen.within[0], seen.within[1], seen.colliding, seen.unknown);
+  print_message("%zu free, %zu %zu within, %zu colliding, %zu unknown\n", seen.free, seen.within[0],
+                seen.within[1], seen.colliding, seen.unknown);
   assert_true(seen.free > FEWER(250) && seen.within[0] > FEWER(200) && seen.unknown > FEWER(6));
 }
 

@@ -139,8 +139,8 @@ static int ray_meets(whole_point p, whole_point way, whole_point t[3]) {
   return height == facing ? facing : 0;
 }
 
-/* Along directions at random until one meets no edge: how often the ray meets the part, and how much
- * more often it leaves than enters. */
+/* Along directions at random until one meets no edge: how often the ray meets the part, and how
+ * much more often it leaves than enters. */
 static void oracle_crossings(whole_point p, whole_point *t, const size_t *part, size_t which,
                              size_t count, int *times, int *turns) {
   whole_point way;
