@@ -3,7 +3,9 @@
  * the winding number of the mesh, which is computed from solid angles.
  *   solid-corpus [-q FILE] [-n COUNT] [-s SEED] [-t TIMES]   reads names of mesh files from the
  *                                                            standard input, one a line
- *   -q FILE    also write a line for each query, so that two builds of the library can be compared
+ *   -q FILE    also write a line for each query, so that two builds of the library can be compared:
+ *              file, number, kind, x, y, z, answer, winding number, its distance from an integer,
+ *              reason of the answer
  *   -n COUNT   queries of a file (48); fewer if the file has more than WORK / COUNT triangles
  *   -s SEED    of the points (1)
  *   -t TIMES   no queries: find each shell so often and print the least time
@@ -39,6 +41,15 @@ static const char titles[] =
 typedef enum { BOX, NEAR, BETWEEN, KINDS } kind;
 static const char *const kind_names[KINDS] = {"box", "near", "between"};
 static const char *const answer_names[3] = {"UNKNOWN", "OUTSIDE", "INSIDE"};
+static const char *const reason_names[] = {
+    [SEPAX_WITHIN_PLAIN] = "-",
+    [SEPAX_WITHIN_NESTED] = "nested",
+    [SEPAX_WITHIN_OPEN] = "open",
+    [SEPAX_WITHIN_INCONSISTENT] = "inconsistent",
+    [SEPAX_WITHIN_TWO_SIDED] = "two-sided",
+    [SEPAX_WITHIN_OPPOSED] = "opposed",
+    [SEPAX_WITHIN_SHEETS] = "sheets",
+};
 
 typedef struct {
   FILE *queries;
@@ -173,9 +184,9 @@ static void make_probe(sepax_facet probe[4], const double at[3], double size) {
   }
 }
 
-/* What the library says of a point. */
-static bool ask(sepax_inside *answer, bool *touches, const solid *s, const double at[3],
-                double size, sepax_error *error) {
+/* What the library says of a point, and why. */
+static bool ask(sepax_inside *answer, sepax_within_reason *reason, bool *touches, const solid *s,
+                const double at[3], double size, sepax_error *error) {
   sepax_facet facet[4];
   make_probe(facet, at, size);
   sepax_soup soup = {.facet = facet, .count = 4};
@@ -183,15 +194,17 @@ static bool ask(sepax_inside *answer, bool *touches, const solid *s, const doubl
   sepax_shell shell = {0};
   sepax_pairs pairs = {0};
   sepax_inside within[2] = {SEPAX_INSIDE_UNKNOWN, SEPAX_INSIDE_UNKNOWN};
+  sepax_within_reason why[2] = {SEPAX_WITHIN_PLAIN, SEPAX_WITHIN_PLAIN};
   bool done = sepax_body_new(&probe, SEPAX_SOUP_MESH(&soup), NULL, error) &&
               sepax_bodies_collide(probe, NULL, s->body, NULL,
                                    &SEPAX_STRUCT(sepax_query, .only_any = true), &pairs, error);
   *touches = done && pairs.count > 0;
   if (done && !*touches) {
     done = sepax_shell_find(&shell, probe, error) &&
-           sepax_bodies_within(&shell, NULL, &s->shell, NULL, within, error);
+           sepax_bodies_within_why(&shell, NULL, &s->shell, NULL, within, why, error);
   }
   *answer = within[0];
+  *reason = why[0];
   sepax_pairs_free(&pairs);
   sepax_shell_free(&shell);
   sepax_body_free(probe);
@@ -204,8 +217,9 @@ static bool query(tally *t, const solid *s, const char *file, size_t number, sep
   double at[3];
   double size = draw(at, what, s, random);
   sepax_inside answer;
+  sepax_within_reason reason;
   bool touches;
-  if (!ask(&answer, &touches, s, at, size, error)) {
+  if (!ask(&answer, &reason, &touches, s, at, size, error)) {
     return false;
   }
   if (touches) {
@@ -220,8 +234,9 @@ static bool query(tally *t, const solid *s, const char *file, size_t number, sep
     t->wrong[answer] += (answer == SEPAX_OUTSIDE) != (lroundl(winding) == 0);
   }
   if (how->queries != NULL) {
-    fprintf(how->queries, "%s\t%zu\t%s\t%.17g\t%.17g\t%.17g\t%s\t%.6Lf\t%.1Le\n", file, number,
-            kind_names[what], at[0], at[1], at[2], answer_names[answer], winding, far);
+    fprintf(how->queries, "%s\t%zu\t%s\t%.17g\t%.17g\t%.17g\t%s\t%.6Lf\t%.1Le\t%s\n", file, number,
+            kind_names[what], at[0], at[1], at[2], answer_names[answer], winding, far,
+            reason_names[reason]);
   }
   return true;
 }
