@@ -235,9 +235,9 @@ static size_t sum_parts(const crossings *all, crossing part[SHEETS]) {
   return parts;
 }
 
-/* Are these parts in each other without touching, an even number of them, from the outermost one on
- * wound outwards and inwards by turns? Parts that do not touch and have a common point inside are
- * in each other, so their boxes are, too. */
+/* Are these parts, whose turns have the sum 0, in each other without touching, and from the
+ * outermost one on wound outwards and inwards by turns? Parts that do not touch and have a common
+ * point inside are in each other, so their boxes are, too. */
 static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
   const solid_part *own = shell->own->part;
   for (size_t n = 1; n < parts; n++) {
@@ -248,7 +248,7 @@ static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
     }
     part[k] = one;
   }
-  for (size_t n = 0; n < parts; n++) {
+  for (size_t n = 0; n < parts; n++) { /* as the sum is 0, their number is even */
     if (part[n].turns != (n % 2 == 0 ? 1 : -1)) {
       return false;
     }
@@ -258,7 +258,7 @@ static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
       }
     }
   }
-  return parts % 2 == 0;
+  return true;
 }
 
 /* Of some parts that a ray crosses. */

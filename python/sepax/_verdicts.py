@@ -18,7 +18,7 @@ class Code(enum.IntEnum):
     COLLIDES = 1   # two triangles have a common point (or are as near as asked)
     A_INSIDE = 2   # a part of A is wholly inside B
     B_INSIDE = 3   # a part of B is wholly inside A
-    UNDECIDED = 4  # an open surface has no inside, or a limit of work ended the search
+    UNDECIDED = 4  # it is not known what is inside, or a limit of work ended the search
 
 
 class Inside(enum.IntEnum):
