@@ -86,10 +86,10 @@ include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python by-hand calibrate \
-              clearance cocotb compare-meshes coverage distances driver engine-sweep estimate \
-              exhaustive fuzz guard guard-time hard impeller machine multivt mutation mutation-c \
-              netlist-sweep packages path-campaign posed-pairs proofs random-designs sanitize \
-              scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              clearance cocotb compare-meshes corpus coverage distances driver engine-sweep \
+              estimate exhaustive fuzz guard guard-time hard impeller machine multivt mutation \
+              mutation-c netlist-sweep packages path-campaign posed-pairs proofs random-designs \
+              sanitize scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -309,6 +309,12 @@ experiment-bench-meshes: $(MESH_READER)
 experiment-compare-meshes: $(BUILD)/mesh_files
 	$(if $(MESH_DIR),,@echo "compare-meshes: give MESH_DIR=FOLDER" >&2; exit 2)
 	@$(PYTHON) $(EXPERIMENT)/meshes -o $(BUILD)/compare-meshes.json "$(MESH_DIR)" $(MESHES)
+
+# Points inside and outside of real meshes.
+experiment-corpus: $(BUILD)/solid-corpus
+	$(if $(MESH_DIR),,@echo "corpus: give MESH_DIR=FOLDER" >&2; exit 2)
+	@$(EXPERIMENT)/corpus $(if $(call given,COUNT),-n $(COUNT)) -s $(SEED) $(BUILD)/corpus \
+	  "$(MESH_DIR)" $(MESHES)
 
 experiment-hard: $(SEPAX)
 	@$(EXPERIMENT)/hard $(if $(call given,COUNT),$(COUNT))

@@ -247,11 +247,13 @@ $(BUILD)/bench_machine: $(call object,tb/benchmark/machine.c tb/benchmark/mill.c
 # Benchmark of mesh files; with assimp beside our readers if its header is installed.
 $(BUILD)/mesh_files: LIBS = -ljansson $(IO_LIBS) $(call header,assimp/cimport.h,-lassimp)
 $(BUILD)/mesh_files: $(call object,tb/benchmark/mesh_files.c) $(IO) $(LIB)
+$(BUILD)/solid-corpus: LIBS = $(IO_LIBS)
+$(BUILD)/solid-corpus: $(call object,tb/solid/corpus.c) $(IO) $(LIB)
 $(BUILD)/mesh_writer: LIBS = $(call header,zip.h,-lzip)
 $(BUILD)/mesh_writer: $(call object,tb/benchmark/mesh_writer.c)
 $(BUILD)/obj/tb/benchmark/mesh_files.o: SEPAX_CFLAGS += $(call header,assimp/cimport.h,-DASSIMP)
 $(BUILD)/obj/tb/benchmark/mesh_writer.o: SEPAX_CFLAGS += $(call header,zip.h,-DZIP)
-$(BUILD)/mesh_files $(BUILD)/mesh_writer:
+$(addprefix $(BUILD)/,mesh_files mesh_writer solid-corpus):
 	$(link)
 $(BUILD)/bench_tree: $(SWEEP_O) $(LIB)
 	@echo "  LINK    $@"
