@@ -367,6 +367,13 @@ CASE(signs) {
         v[3][i] = v[0][i] + (v[1][i] - v[0][i]) / 3;
       }
     }
+    if (n % 7 == 0) { /* products that are rounded to one double */
+      for (int i = 0; i < 2; i++) {
+        v[0][i] = 0;
+        v[1][i] = 0x1p50 + random_below(9);
+        v[2][i] = v[1][i] + 1;
+      }
+    }
     mpq_t area;
     mpq_t volume;
     mpq_t origin;
