@@ -597,18 +597,24 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
 bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const sepax_shell *b,
                          const sepax_pose *pose_b, sepax_inside within[2], sepax_error *error);
 
-/* Why does a point get its answer? */
+/* Why a point is INSIDE or UNKNOWN:
+ *   NESTED: it is inside several shells that do not touch and are wound alike, which are solids in
+ *     each other. A cavity must be wound inwards.
+ *   OPEN: not known. Open parts may enclose it.
+ *   INCONSISTENT: not known. A part round it has triangles that are turned round.
+ *   DOUBLED: not known. A part round it has faces twice, as two sides or as copies.
+ *   OPPOSED: not known. Parts round it touch and are wound in opposite ways: one of them is inside
+ *     out, or a cavity that touches its wall.
+ *   SHEETS: not known. A ray from it crosses more than 256 sheets.
+ * PLAIN: there is nothing to say. */
 typedef enum {
-  SEPAX_WITHIN_PLAIN,  /* there is nothing to say */
-  SEPAX_WITHIN_NESTED, /* INSIDE several shells that do not touch and are wound alike: solids in
-                          each other. A cavity must be wound inwards */
-  SEPAX_WITHIN_OPEN,   /* UNKNOWN: open parts may enclose the point */
-  SEPAX_WITHIN_INCONSISTENT, /* UNKNOWN: a part round the point has a triangle that is turned round
-                              */
-  SEPAX_WITHIN_TWO_SIDED,    /* UNKNOWN: a part round the point has both sides of faces */
-  SEPAX_WITHIN_OPPOSED,      /* UNKNOWN: parts round the point touch and are wound in opposite ways:
-                                one of them is inside out, or a cavity that touches its wall */
-  SEPAX_WITHIN_SHEETS        /* UNKNOWN: a ray crosses more than 256 sheets */
+  SEPAX_WITHIN_PLAIN,
+  SEPAX_WITHIN_NESTED,
+  SEPAX_WITHIN_OPEN,
+  SEPAX_WITHIN_INCONSISTENT,
+  SEPAX_WITHIN_DOUBLED,
+  SEPAX_WITHIN_OPPOSED,
+  SEPAX_WITHIN_SHEETS
 } sepax_within_reason;
 
 /* As sepax_bodies_within; why[i] is the reason of within[i]. */

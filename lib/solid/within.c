@@ -313,7 +313,7 @@ static sepax_inside inside_by_ray(ray *r, const sepax_shell *shell) {
   r->why = all.full          ? SEPAX_WITHIN_SHEETS
            : open            ? SEPAX_WITHIN_OPEN
            : !sum.consistent ? SEPAX_WITHIN_INCONSISTENT
-           : sum.zero        ? SEPAX_WITHIN_TWO_SIDED
+           : sum.zero        ? SEPAX_WITHIN_DOUBLED
                              : SEPAX_WITHIN_OPPOSED;
   return SEPAX_INSIDE_UNKNOWN;
 }

@@ -5,12 +5,9 @@
 #include <stdio.h>
 
 static const char *const names[] = {
-    [SEPAX_WITHIN_PLAIN] = NULL,
-    [SEPAX_WITHIN_NESTED] = "nested",
-    [SEPAX_WITHIN_OPEN] = "open",
-    [SEPAX_WITHIN_INCONSISTENT] = "inconsistent",
-    [SEPAX_WITHIN_TWO_SIDED] = "two-sided",
-    [SEPAX_WITHIN_OPPOSED] = "opposed",
+    [SEPAX_WITHIN_PLAIN] = NULL,        [SEPAX_WITHIN_NESTED] = "nested",
+    [SEPAX_WITHIN_OPEN] = "open",       [SEPAX_WITHIN_INCONSISTENT] = "inconsistent",
+    [SEPAX_WITHIN_DOUBLED] = "doubled", [SEPAX_WITHIN_OPPOSED] = "opposed",
     [SEPAX_WITHIN_SHEETS] = "sheets",
 };
 
@@ -31,8 +28,10 @@ void report_print_within(sepax_within_reason why, const char *inner, const char 
   case SEPAX_WITHIN_INCONSISTENT:
     printf("facets of %s are turned round; wind all of them outwards", outer);
     break;
-  case SEPAX_WITHIN_TWO_SIDED:
-    printf("%s has both sides of faces there; --weld=0 leaves one of equal facets", outer);
+  case SEPAX_WITHIN_DOUBLED:
+    printf("%s has faces twice there, as two sides or as copies; --weld=0 leaves one of equal "
+           "facets",
+           outer);
     break;
   case SEPAX_WITHIN_OPPOSED:
     printf("parts of %s that touch are wound in opposite ways there; turn the part that is inside "

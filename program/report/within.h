@@ -5,7 +5,7 @@
 
 #include "sepax.h"
 
-/* In JSON, such as "two-sided"; NULL if there is nothing to say. */
+/* In JSON, such as "doubled"; NULL if there is nothing to say. */
 const char *report_within_name(sepax_within_reason why);
 
 /* Print why it is not known whether `inner` is inside `outer`, and the cure; or, of one that is

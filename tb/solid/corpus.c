@@ -42,12 +42,9 @@ typedef enum { BOX, NEAR, BETWEEN, KINDS } kind;
 static const char *const kind_names[KINDS] = {"box", "near", "between"};
 static const char *const answer_names[3] = {"UNKNOWN", "OUTSIDE", "INSIDE"};
 static const char *const reason_names[] = {
-    [SEPAX_WITHIN_PLAIN] = "-",
-    [SEPAX_WITHIN_NESTED] = "nested",
-    [SEPAX_WITHIN_OPEN] = "open",
-    [SEPAX_WITHIN_INCONSISTENT] = "inconsistent",
-    [SEPAX_WITHIN_TWO_SIDED] = "two-sided",
-    [SEPAX_WITHIN_OPPOSED] = "opposed",
+    [SEPAX_WITHIN_PLAIN] = "-",         [SEPAX_WITHIN_NESTED] = "nested",
+    [SEPAX_WITHIN_OPEN] = "open",       [SEPAX_WITHIN_INCONSISTENT] = "inconsistent",
+    [SEPAX_WITHIN_DOUBLED] = "doubled", [SEPAX_WITHIN_OPPOSED] = "opposed",
     [SEPAX_WITHIN_SHEETS] = "sheets",
 };
 

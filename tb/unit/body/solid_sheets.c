@@ -267,7 +267,7 @@ CASE(reason_of_faults) {
   assert_why(&m, 1, 1, 1, SEPAX_INSIDE_UNKNOWN, SEPAX_WITHIN_INCONSISTENT);
   add_block(&m, corner[0], corner[1], false);
   add_again(&m, 0, true);
-  assert_why(&m, 1, 1, 1, SEPAX_INSIDE_UNKNOWN, SEPAX_WITHIN_TWO_SIDED);
+  assert_why(&m, 1, 1, 1, SEPAX_INSIDE_UNKNOWN, SEPAX_WITHIN_DOUBLED);
 }
 
 /* A ray from within boxes with both sides of each face crosses two sheets of each of them. */
@@ -280,7 +280,7 @@ CASE(reason_of_many_sheets) {
     }
     add_again(&m, 0, true);
     assert_why(&m, 0.25, 0.125, 0, SEPAX_INSIDE_UNKNOWN,
-               boxes > 128 ? SEPAX_WITHIN_SHEETS : SEPAX_WITHIN_TWO_SIDED);
+               boxes > 128 ? SEPAX_WITHIN_SHEETS : SEPAX_WITHIN_DOUBLED);
   }
 }
 
