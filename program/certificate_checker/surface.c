@@ -42,11 +42,13 @@ static point scaled(const target *t, point p) {
   return (point){p.x * t->scale.x, p.y * t->scale.y, p.z * t->scale.z};
 }
 
+/* A scale that mirrors turns triangles round, so that their outer sides stay outer sides. */
 static void add_to(const target *t, point a, point b, point c) {
-  add(t->s, t->at, scaled(t, a), scaled(t, b), scaled(t, c));
+  const bool mirrors = t->scale.x * t->scale.y * t->scale.z < 0;
+  add(t->s, t->at, scaled(t, a), scaled(t, mirrors ? c : b), scaled(t, mirrors ? b : c));
 }
 
-/* All hulls are wound alike, so that no two of them cancel. */
+/* The outer sides of all hulls are outside. */
 static void add_hull(const target *t, const point *corner, size_t count, const division *d) {
   const point up = d->up;
   for (size_t n = 0; n + 2 < count; n++) {
@@ -80,11 +82,9 @@ void surface_mesh(surface *s, const mesh *m, point scale, pose at) {
     }
     free(d.triangle);
   }
-  if (bents > 0) {
-    surface_element(s);
-    s->element[s->elements - 1].hulls = true;
-  }
   for (size_t n = 0; n < bents; n++) {
+    surface_element(s);
+    s->element[s->elements - 1].hull = true;
     const size_t from = bent[n] == 0 ? 0 : m->end[bent[n] - 1];
     const division d = polygon_divide(m, m->corner + from, m->end[bent[n]] - from);
     add_hull(&t, m->corner + from, m->end[bent[n]] - from, &d);
