@@ -24,9 +24,8 @@ static void open_add(open_box *to, const part *p) {
 }
 
 shell shell_of(const surface *s) {
-  shell made = {.body = s,
-                .of = sheets_of(s),
-                .open = memory(NULL, s->elements, sizeof *made.open)};
+  shell made = {
+      .body = s, .of = sheets_of(s), .open = memory(NULL, s->elements, sizeof *made.open)};
   memset(made.open, 0, s->elements * sizeof *made.open);
   for (size_t n = 0; n < made.of.parts; n++) {
     const part *p = &made.of.part[n];
@@ -103,7 +102,7 @@ static ray_meets ray_meet(const triangle *t, point p, point d, const doubts *dou
 }
 
 /* Of length 1, and none of them along an axis, where edges are; the same ones each time. */
-enum { RAYS = 100 };
+enum { RAYS = 16 };
 static const point *rays(void) {
   static point ray[RAYS];
   uint32_t seed = 1;
@@ -193,6 +192,8 @@ static bool ray_proves(shell *b, point p, point d, const doubts *doubt) {
     if (b->of.sheet_of[n] == NONE || beyond_part(of, p, doubt->length))
       continue;
     at = ray_meet(&b->body->triangle[n], p, d, doubt);
+    if (at != RAY_MISSES && b->of.sheet_of[n] == FLAT)
+      at = RAY_UNSURE;
     if (at == RAY_LEAVES || at == RAY_ENTERS) {
       GROW(all, count);
       all[count++] = (crossing){b->of.sheet_of[n], of, at == RAY_LEAVES ? 1 : -1};

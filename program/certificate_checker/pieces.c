@@ -9,11 +9,9 @@
 #include <stdlib.h>
 
 typedef struct {
-  size_t number; /* of the part */
-  size_t element;
-  surface s; /* its triangles; box and radius */
-  box_tree tree;
-  bool has_tree;
+  size_t part, element; /* numbers */
+  surface s;            /* its triangles; box and radius */
+  box_tree tree;        /* without boxes: not made yet */
 } body;
 
 static int compare_bodies(const void *x, const void *y) {
@@ -24,15 +22,20 @@ static int compare_bodies(const void *x, const void *y) {
   return (a->s.low.x > b->s.low.x) - (a->s.low.x < b->s.low.x);
 }
 
+/* Do the boxes overlap along x? b is behind a in the order. */
+static bool follows(const body *a, const body *b) {
+  return b->element == a->element && b->s.low.x <= a->s.high.x;
+}
+
+/* Along y and z. */
 static bool boxes_meet(const surface *a, const surface *b) {
   return a->low.y <= b->high.y && b->low.y <= a->high.y && a->low.z <= b->high.z &&
          b->low.z <= a->high.z;
 }
 
 static const box_tree *tree_of(body *b) {
-  if (!b->has_tree)
+  if (b->tree.box == NULL)
     b->tree = boxes_of(&b->s);
-  b->has_tree = true;
   return &b->tree;
 }
 
@@ -40,7 +43,7 @@ static const box_tree *tree_of(body *b) {
 static body *bodies_of(const surface *s, const sheets *of) {
   body *all = memory(NULL, of->parts, sizeof *all);
   for (size_t n = 0; n < of->parts; n++)
-    all[n] = (body){.number = n, .element = of->part[n].element};
+    all[n] = (body){.part = n, .element = of->part[n].element};
   for (size_t n = 0; n < s->count; n++) {
     surface *to = &all[of->part_of[n]].s;
     GROW(to->triangle, to->count);
@@ -59,13 +62,11 @@ size_t *pieces_of(const surface *s, const sheets *of) {
   for (size_t n = 0; n < of->parts; n++)
     piece[n] = n;
   for (size_t n = 0; n < of->parts; n++) {
-    for (size_t k = n + 1; k < of->parts && all[k].element == all[n].element &&
-                           all[k].s.low.x <= all[n].s.high.x;
-         k++) {
-      if (root_of(piece, all[n].number) != root_of(piece, all[k].number) &&
-          boxes_meet(&all[n].s, &all[k].s) &&
-          !separated(tree_of(&all[n]), tree_of(&all[k]), &still, 0))
-        unite(piece, all[n].number, all[k].number);
+    body *a = &all[n];
+    for (body *b = a + 1; b < all + of->parts && follows(a, b); b++) {
+      if (root_of(piece, a->part) != root_of(piece, b->part) && boxes_meet(&a->s, &b->s) &&
+          !separated(tree_of(a), tree_of(b), &still, 0))
+        unite(piece, a->part, b->part);
     }
   }
   for (size_t n = 0; n < of->parts; n++) {

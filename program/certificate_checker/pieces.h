@@ -5,8 +5,8 @@
 
 #include "sheets.h"
 
-/* Of each part the number of its piece. Two parts of an element have the same piece, unless they are
- * proved to have no point in common, also by way of other parts. The caller frees it. */
+/* Of each part the number of its piece. Two parts of an element have the same piece, unless they
+ * are proved to have no point in common, also by way of other parts. The caller frees it. */
 size_t *pieces_of(const surface *s, const sheets *of);
 
 #endif

@@ -6,9 +6,10 @@
 #include <stddef.h>
 
 /* No number. */
-static const size_t NONE = (size_t)-1;
+#define NONE ((size_t)-1)
 
-/* The number that stands for the set of n. up[n] == n at the beginning: each is a set of its own. */
+/* The number that stands for the set of n. up[n] == n at the beginning: each is a set of its own.
+ */
 static inline size_t root_of(size_t *up, size_t n) {
   while (up[n] != n)
     n = up[n] = up[up[n]];

@@ -29,7 +29,9 @@ typedef struct {
 static int compare_sizes(size_t a, size_t b) { return (a > b) - (a < b); }
 static int compare_numbers(double a, double b) { return (a > b) - (a < b); }
 static size_t next_corner(size_t place) { return place % 3 == 2 ? place - 2 : place + 1; }
-static vec corner_at(const surface *s, size_t place) { return s->triangle[place / 3].at[place % 3]; }
+static vec corner_at(const surface *s, size_t place) {
+  return s->triangle[place / 3].at[place % 3];
+}
 
 /* ------------------------------------------------------------------------ nodes */
 
@@ -86,13 +88,13 @@ static int compare_spokes(const void *x, const void *y) {
 
 /* All sides on a line have the same number, but for rounding. */
 static spoke spoke_of(const surface *s, size_t place) {
-  const point d = point_minus(point_of(corner_at(s, next_corner(place))),
-                              point_of(corner_at(s, place)));
+  const point d =
+      point_minus(point_of(corner_at(s, next_corner(place))), point_of(corner_at(s, place)));
   const long double most = fmaxl(fabsl(d.x), fmaxl(fabsl(d.y), fabsl(d.z)));
   const point by = {1, 0.6180339887498949L, 0.3247179572447461L};
   const long double number = fabsl(point_dot(d, by)) / most;
   /* Coordinates are wrong by 8 roundings of the radius at most, 2^-50 of it, so d by 2^-49. The
-   * factors' sum is below 2, and so is the number, which is wrong by less than 2^-46.9 / most. */
+   * factors' sum is below 2, and so is the number, which is wrong by less than 2^-46 / most. */
   const long double wrong = 0x1p-46L * (long double)s->radius / most;
   return (spoke){.from = (double)(number - wrong), .to = (double)(number + wrong)};
 }
@@ -128,7 +130,8 @@ static void find_nodes(net *g) {
 
 /* Two of its corners are equal. */
 static bool is_line(const net *g, size_t n) {
-  return g->node[3 * n][0] == NONE || g->node[3 * n + 1][0] == NONE || g->node[3 * n + 2][0] == NONE;
+  return g->node[3 * n][0] == NONE || g->node[3 * n + 1][0] == NONE ||
+         g->node[3 * n + 2][0] == NONE;
 }
 
 /* A line; or at each corner both sides are at one node: then the triangle brings to each node what
@@ -205,8 +208,8 @@ static joint *empty_wires(net *g) {
 
 /* ------------------------------------------------------------------------ sheets */
 
-/* The current of a wire is the factor of its only triangle. Of two wires at the node, does one bring
- * it and the other one take it away? */
+/* The current of a wire is the factor of its only triangle. Of two wires at the node, does one
+ * bring it and the other one take it away? */
 static bool goes_on(const net *g, const wire *a, const wire *b, size_t node) {
   return (g->node[a->side][1] == node) != (g->node[b->side][1] == node);
 }
@@ -227,7 +230,7 @@ static void find_sheets(net *g, size_t *sheet) {
     }
   }
   for (size_t n = 0; n < g->s->count; n++)
-    sheet[n] = is_line(g, n) ? NONE : root_of(sheet, n);
+    sheet[n] = is_line(g, n) ? NONE : is_flat(g, n) ? FLAT : root_of(sheet, n);
   free(at);
 }
 

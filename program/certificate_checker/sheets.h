@@ -17,8 +17,8 @@
  * where a vertex is in the middle of another triangle's edge (a T-junction). A sheet is what hangs
  * together in these two ways: all of its triangles have the same factor.
  *
- * Corners are rounded. If two lines through a vertex may be the same, then they are one node. Such a
- * node is a law less, so whatever the net proves is true. */
+ * Corners are rounded. If two lines through a vertex may be the same, then they are one node. Such
+ * a node is a law less, so whatever the net proves is true. */
 #ifndef CERTIFICATE_SHEETS_H
 #define CERTIFICATE_SHEETS_H
 
@@ -26,6 +26,8 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+
+#define FLAT ((size_t)-2)
 
 /* What hangs together by nodes: of each closed surface, the triangles that are in a part are closed
  * by themselves. */
@@ -37,8 +39,8 @@ typedef struct {
 } part;
 
 typedef struct {
-  size_t *sheet_of; /* of each triangle: one that stands for its sheet; NONE: two of its corners are
-                       equal, so no ray meets it */
+  size_t *sheet_of; /* of each triangle: one that stands for its sheet; FLAT: on one line, but for
+                       rounding; NONE: two of its corners are equal, so no ray meets it */
   size_t *part_of;  /* of each triangle */
   part *part;
   size_t parts;
