@@ -200,7 +200,7 @@ static bool ray_proves(shell *b, point p, point d, const doubts *doubt) {
     }
   }
   bool proved = at != RAY_UNSURE;
-  if (proved) {
+  if (proved && count > 0) {
     count = cancel(all, count);
     proved = count == 0 || in_cavity(b, all, count);
   }
