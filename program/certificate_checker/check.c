@@ -129,8 +129,8 @@ static void prove(proof *p, const pair *of, int segment, uint64_t from, uint64_t
 /* Prove that at a line where a way begins the bodies are disjoint and neither is inside the other.
  */
 static void prove_start(proof *p, const pair *of, int line, double distance) {
-  const prepared *a = prepare(p, of->first);
-  const prepared *b = prepare(p, of->second);
+  prepared *a = prepare(p, of->first);
+  prepared *b = prepare(p, of->second);
   const motion m = motion_in(p, of, line, 0, 0);
   if (!separated(&a->tree, &b->tree, &m, distance)) {
     reject("%s, %s: segment %d: not proved to be farther from each other than %g m at the first "
@@ -138,16 +138,12 @@ static void prove_start(proof *p, const pair *of, int line, double distance) {
            first_name(p, of), second_name(p, of), line, distance);
   }
   const pose at = chain_pose(&of->chain, &p->robot, steps_line(&p->steps, line));
-  if (shell_inside(&a->shell, &b->shell, at) ||
-      shell_inside(&b->shell, &a->shell, pose_inverse(at))) {
-    reject("%s, %s: segment %d: one is inside the other at the first line", first_name(p, of),
-           second_name(p, of), line);
-  }
-  const bool in_second = shell_may_be_inside(&a->shell, &b->shell, at);
-  if (in_second || shell_may_be_inside(&b->shell, &a->shell, pose_inverse(at))) {
-    reject("%s, %s: segment %d: one may be inside the other at the first line: %s is open",
-           first_name(p, of), second_name(p, of), line,
-           (in_second ? second_name : first_name)(p, of));
+  const bool outside = shell_outside(&a->shell, &b->shell, at);
+  if (!outside || !shell_outside(&b->shell, &a->shell, pose_inverse(at))) {
+    const bool open = (outside ? a : b)->shell.any_open;
+    reject("%s, %s: segment %d: one may be inside the other at the first line%s%s%s",
+           first_name(p, of), second_name(p, of), line, open ? ": " : "",
+           open ? (outside ? first_name : second_name)(p, of) : "", open ? " is open" : "");
   }
 }
 

@@ -1,56 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* inside.h - is a part of one body inside the other? */
+/* inside.h - proves that no part of one body is inside the other.
+ *
+ * A point p is outside a body if a ray from p shows it in one of two ways:
+ *
+ *   1. The ray leaves each sheet as often as it enters it. The winding number of a closed surface
+ * at p is the sum over its triangles of factor times crossing (+1: the ray leaves, -1: enters). All
+ * triangles of a sheet have the same factor, so the sum is 0 for every closed surface that the
+ * triangles form: none of them encloses p.
+ *   2. p is in a cavity. The sheets that do not cancel so are in parts that are closed, wound alike
+ *      and do not touch each other. So these parts enclose each other, and their boxes are nested.
+ *      From the outermost part on, their sums are +1, -1, +1, -1 ..., an even number of them: p is
+ *      outside the innermost solid, whose wall is turned inwards.
+ *
+ * Sheets and parts are those of sheets.h. A part whose box does not hold p encloses nothing there
+ * and is passed over. What an open part encloses is not known: nothing is proved of a point in the
+ * box of all open parts of an element. Elements are solids of their own.
+ *
+ * Anything else is not proved, and must be taken as inside. */
 #ifndef CERTIFICATE_INSIDE_H
 #define CERTIFICATE_INSIDE_H
 
-#include "surface.h"
+#include "sheets.h"
 
 #include <stdbool.h>
 
-/* Triangles that hang together by edges: a vertex of them, and those that are farthest out along
- * the axes. */
-typedef struct {
-  vec at[7];
-} shell_part;
-
-/* The box of an element, if it has open parts. */
+/* The box of an element's open parts, if there are any. */
 typedef struct {
   bool any;
   vec low, high;
 } open_box;
 
-/* Readings of parts that have copies of sheets, as files with both sides of each face have: all of
- * them, one of each, each second one. */
-enum { READINGS = 3 };
-
-/* Of a surface: its parts; and which triangles are of closed ones, each of whose edges belongs to
- * an even number of triangles. */
 typedef struct {
   const surface *body;
-  shell_part *part;
-  size_t parts;
-  bool *closed;          /* of each triangle */
-  size_t *part_of;       /* of each triangle: one that stands for its part */
-  bool (*out)[READINGS]; /* of each triangle: left out in that reading */
-  bool *turned;          /* of what stands for a part: its edges are not run both ways alike */
-  size_t *piece;    /* of what stands for a part: its piece; SIZE_MAX where it is not found yet */
-  bool *consistent; /* of each collision element: its closed parts' edges are run both ways alike */
-  open_box *open;   /* of each collision element */
+  sheets of;
+  size_t *piece;  /* of each part; NULL: not found yet */
+  open_box *open; /* of each element */
+  bool any_open;
 } shell;
 
 shell shell_of(const surface *s);
 
-/* Of bodies whose surfaces share no point: is a part of a, in the pose `at`, inside an element of
- * b? Inside is what a ray leaves through an odd number of triangles; where the triangles' sides are
- * consistent, what they wind around. What is inside several parts that cancel each other is inside,
- * too, unless these parts are an even number and proved to share no point: then it is in a cavity.
- * Closed parts of b only. */
-bool shell_inside(const shell *a, const shell *b, pose at);
-
-/* Of such bodies: may a part of a be inside what open parts of an element of b enclose? They are
- * open by whole edges, but may be closed by edges that have a vertex in their middle. false is
- * proved: of each part of a, one vertex is outside their box, or is where a ray begins that meets
- * none of the element's triangles. */
-bool shell_may_be_inside(const shell *a, const shell *b, pose at);
+/* Of bodies whose surfaces share no point: is each part of a, in the pose `at`, proved to be
+ * outside b? As a part touches none of b's triangles, one vertex is enough for all of it. */
+bool shell_outside(const shell *a, shell *b, pose at);
 
 #endif

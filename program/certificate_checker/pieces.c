@@ -4,70 +4,77 @@
 
 #include "report.h"
 #include "separation.h"
+#include "sets.h"
 
 #include <stdlib.h>
 
 typedef struct {
-  surface s; /* its triangles; box and radius */
-  box_tree tree;
-  bool made; /* the tree */
-} piece_part;
+  size_t part, element; /* numbers */
+  surface s;            /* its triangles; box and radius */
+  box_tree tree;        /* without boxes: not made yet */
+} body;
 
-static size_t root_of(size_t *piece, size_t n) {
-  while (piece[n] != n)
-    n = piece[n] = piece[piece[n]];
-  return n;
+static int compare_bodies(const void *x, const void *y) {
+  const body *a = x;
+  const body *b = y;
+  if (a->element != b->element)
+    return a->element < b->element ? -1 : 1;
+  return (a->s.low.x > b->s.low.x) - (a->s.low.x < b->s.low.x);
 }
 
+/* Do the boxes overlap along x? b is behind a in the order. */
+static bool follows(const body *a, const body *b) {
+  return b->element == a->element && b->s.low.x <= a->s.high.x;
+}
+
+/* Along y and z. */
 static bool boxes_meet(const surface *a, const surface *b) {
-  return a->low.x <= b->high.x && b->low.x <= a->high.x && a->low.y <= b->high.y &&
-         b->low.y <= a->high.y && a->low.z <= b->high.z && b->low.z <= a->high.z;
+  return a->low.y <= b->high.y && b->low.y <= a->high.y && a->low.z <= b->high.z &&
+         b->low.z <= a->high.z;
 }
 
-static const box_tree *tree_of(piece_part *p) {
-  if (!p->made)
-    p->tree = boxes_of(&p->s);
-  p->made = true;
-  return &p->tree;
+static const box_tree *tree_of(body *b) {
+  if (b->tree.box == NULL)
+    b->tree = boxes_of(&b->s);
+  return &b->tree;
 }
 
-void pieces_find(size_t *piece, const triangle *t, size_t count, double radius,
-                 const size_t *part) {
-  piece_part *all = memory(NULL, count, sizeof *all);
-  size_t *stands = memory(NULL, count, sizeof *stands);
-  size_t parts = 0;
-  for (size_t n = 0; n < count; n++) {
+/* Sorted along x, so that only those are compared whose boxes overlap there. */
+static body *bodies_of(const surface *s, const sheets *of) {
+  body *all = memory(NULL, of->parts, sizeof *all);
+  for (size_t n = 0; n < of->parts; n++)
+    all[n] = (body){.part = n, .element = of->part[n].element};
+  for (size_t n = 0; n < s->count; n++) {
+    surface *to = &all[of->part_of[n]].s;
+    GROW(to->triangle, to->count);
+    to->triangle[to->count++] = s->triangle[n];
+  }
+  for (size_t n = 0; n < of->parts; n++)
+    surface_finish(&all[n].s);
+  qsort(all, of->parts, sizeof *all, compare_bodies);
+  return all;
+}
+
+size_t *pieces_of(const surface *s, const sheets *of) {
+  body *all = bodies_of(s, of);
+  size_t *piece = memory(NULL, of->parts, sizeof *piece);
+  const motion still = {.column = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .rounding = 2e-13 * s->radius};
+  for (size_t n = 0; n < of->parts; n++)
     piece[n] = n;
-    all[n] = (piece_part){0};
-  }
-  for (size_t n = 0; n < count; n++) {
-    surface *s = &all[part[n]].s;
-    if (s->count == 0)
-      stands[parts++] = part[n];
-    GROW(s->triangle, s->count);
-    s->triangle[s->count++] = t[n];
-  }
-  const motion still = {.column = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .rounding = 2e-13 * radius};
-  for (size_t n = 0; n < parts; n++) {
-    piece_part *a = &all[stands[n]];
-    surface_finish(&a->s);
-    for (size_t k = 0; k < n; k++) {
-      piece_part *b = &all[stands[k]];
-      const size_t of_a = root_of(piece, stands[n]);
-      const size_t of_b = root_of(piece, stands[k]);
-      if (of_a != of_b && boxes_meet(&a->s, &b->s) &&
-          !separated(tree_of(a), tree_of(b), &still, 0)) {
-        piece[of_a] = of_b;
-      }
+  for (size_t n = 0; n < of->parts; n++) {
+    body *a = &all[n];
+    for (body *b = a + 1; b < all + of->parts && follows(a, b); b++) {
+      if (root_of(piece, a->part) != root_of(piece, b->part) && boxes_meet(&a->s, &b->s) &&
+          !separated(tree_of(a), tree_of(b), &still, 0))
+        unite(piece, a->part, b->part);
     }
   }
-  for (size_t n = 0; n < count; n++)
+  for (size_t n = 0; n < of->parts; n++) {
     piece[n] = root_of(piece, n);
-  for (size_t n = 0; n < parts; n++) {
-    free(all[stands[n]].s.triangle);
-    free(all[stands[n]].tree.box);
-    free(all[stands[n]].tree.triangle);
+    free(all[n].s.triangle);
+    free(all[n].tree.box);
+    free(all[n].tree.triangle);
   }
-  free(stands);
   free(all);
+  return piece;
 }

@@ -3,11 +3,10 @@
 #ifndef CERTIFICATE_PIECES_H
 #define CERTIFICATE_PIECES_H
 
-#include "surface.h"
+#include "sheets.h"
 
-/* Of count triangles t, no point of which is farther than `radius` from the origin: part[n] is a
- * triangle that stands for the part of triangle n. Parts get the same piece[part[n]], unless they
- * are proved to have no point in common, also by way of others. */
-void pieces_find(size_t *piece, const triangle *t, size_t count, double radius, const size_t *part);
+/* Of each part the number of its piece. Two parts of an element have the same piece, unless they
+ * are proved to have no point in common, also by way of other parts. The caller frees it. */
+size_t *pieces_of(const surface *s, const sheets *of);
 
 #endif

@@ -48,7 +48,7 @@ static void add_to(const target *t, point a, point b, point c) {
   add(t->s, t->at, scaled(t, a), scaled(t, mirrors ? c : b), scaled(t, mirrors ? b : c));
 }
 
-/* All hulls are wound alike, so that no two of them cancel. */
+/* The outer sides of all hulls are outside. */
 static void add_hull(const target *t, const point *corner, size_t count, const division *d) {
   const point up = d->up;
   for (size_t n = 0; n + 2 < count; n++) {
@@ -82,11 +82,9 @@ void surface_mesh(surface *s, mesh *m, point scale, pose at) {
     }
     free(d.triangle);
   }
-  if (bents > 0) {
-    surface_element(s);
-    s->element[s->elements - 1].hulls = true;
-  }
   for (size_t n = 0; n < bents; n++) {
+    surface_element(s);
+    s->element[s->elements - 1].hull = true;
     const size_t from = bent[n] == 0 ? 0 : m->end[bent[n] - 1];
     const division d = polygon_divide(m, m->corner + from, m->end[bent[n]] - from);
     add_hull(&t, m->corner + from, m->end[bent[n]] - from, &d);

@@ -9,10 +9,10 @@ typedef struct {
   vec at[3];
 } triangle;
 
-/* A collision element; or the hulls of the bent polygons of one, each of them a solid. */
+/* A collision element; or the hull of a bent polygon of one, which is a solid. */
 typedef struct {
   size_t first; /* triangle */
-  bool hulls;
+  bool hull;
 } surface_part;
 
 typedef struct {
