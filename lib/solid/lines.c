@@ -333,10 +333,10 @@ static void judge_vertex(wheel *w, uint32_t at) {
   const uint32_t end = w->begin[at + 1];
   uint32_t next;
   for (uint32_t n = w->begin[at]; n < end; n = next) {
-    const spoke *run[2];
-    size_t count[2];
     next = n + 1;
     if (is_uneven(&w->spoke[n])) {
+      const spoke *run[2];
+      size_t count[2];
       find_line(w, at, &w->spoke[n], run, count);
       next = (uint32_t)((size_t)(run[0] - w->spoke) + count[0]);
       const direction to = spoke_direction(w, at, &w->spoke[n]);
