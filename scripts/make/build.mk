@@ -143,6 +143,7 @@ $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/posed-pairs: $(call object,tb/pairs/posed.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/distances: $(call object,$(wildcard tb/pairs/distances/*.c)) $(ORACLE_OBJ) $(LIB)
+$(BUILD)/material: $(call object,$(wildcard tb/material/*.c)) $(LIB)
 $(BUILD)/stock-trial: $(call object,$(wildcard tb/stock/*.c)) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
@@ -159,8 +160,8 @@ $(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2 -lzip -lmd
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs $(BUILD)/distances: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \
-    $(addprefix $(BUILD)/,clearance-pairs posed-pairs distances hard-pairs bench stock-trial) \
-    $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes nc-rows):
+    $(addprefix $(BUILD)/,clearance-pairs posed-pairs distances hard-pairs bench material) \
+    $(addprefix $(BUILD)/,sepax-certificate-check certificate-grazes nc-rows stock-trial):
 	$(link)
 
 $(BUILD)/unit/%: LIBS = -lcmocka -lgmp -ljansson

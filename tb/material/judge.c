@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "judge.h"
+
+#include "cavity.h"
+#include "touch.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static void need(bool works, const sepax_error *error) {
+  if (!works) {
+    fprintf(stderr, "material: the library fails: %s\n", error->text);
+    exit(2);
+  }
+}
+
+static void make_body(const placing *where, int which, const triangle *t, size_t count,
+                      sepax_body **solid, sepax_shell *shell) {
+  static sepax_facet facet[MOST];
+  sepax_error error;
+  place(where, which, t, count, facet);
+  const sepax_soup soup_of = {.facet = facet, .count = count};
+  need(sepax_body_new(solid, SEPAX_SOUP_MESH(&soup_of), &SEPAX_STRUCT(sepax_build, .threads = 1),
+                      &error),
+       &error);
+  need(sepax_shell_find(shell, *solid, &error), &error);
+}
+
+void open_subject(subject *s, const body *b, const placing *where) {
+  s->b = b;
+  s->where = *where;
+  for (int k = 0; k < 2; k++) { /* the copy's own poses */
+    s->where.given[k] = where->given[k] == NULL ? NULL : &s->where.pose[k];
+  }
+  find_surfaces(&s->found, &b->s);
+  make_body(where, 0, b->s.t, b->s.count, &s->solid, &s->shell);
+}
+
+void close_subject(subject *s) {
+  sepax_shell_free(&s->shell);
+  sepax_body_free(s->solid);
+  free_surfaces(&s->found);
+}
+
+judgement judge_shell(const subject *s) {
+  static const char *const consistency[2][2] = {
+      {"open, not consistent, but no triangle is turned", "open, consistent, but one is turned"},
+      {"closed, not consistent, but no triangle is turned",
+       "closed, consistent, but one is turned"}};
+  bool closed = s->shell.closed;
+  if (closed != s->found.closed) {
+    return (judgement){WRONG, closed ? "closed, but an edge is open" : "open, but no edge is"};
+  }
+  if (s->shell.consistent != s->found.consistent) {
+    return (judgement){WRONG, consistency[closed][s->shell.consistent]};
+  }
+  return (judgement){OUTSIDE, NULL};
+}
+
+static void probe_soup(point p, soup *s) {
+  point corner[4];
+  probe_corners(p, corner);
+  s->count = 0;
+  add_tetrahedron(s, corner, false);
+}
+
+/* What the library says. *other: is the body in the probe? */
+static sepax_inside ask(const subject *s, point p, sepax_inside *other) {
+  static soup probe;
+  sepax_body *solid;
+  sepax_shell shell;
+  sepax_inside within[2];
+  sepax_error error;
+  probe_soup(p, &probe);
+  make_body(&s->where, 1, probe.t, probe.count, &solid, &shell);
+  need(sepax_bodies_within(&shell, s->where.given[1], &s->shell, s->where.given[0], within, &error),
+       &error);
+  sepax_shell_free(&shell);
+  sepax_body_free(solid);
+  *other = within[1];
+  return within[0];
+}
+
+/* What is known of the union of the solids. */
+typedef enum { NOT_KNOWN, NO_MATERIAL, MATERIAL } truth;
+
+static truth truth_at(const body *b, point p) {
+  truth known = b->solids == 0 ? NOT_KNOWN : NO_MATERIAL;
+  for (size_t n = 0; n < b->solids; n++) {
+    bool inside = true;
+    for (size_t i = b->first[n]; i < b->first[n + 1]; i++) {
+      const point *v = b->proof.t[i].v;
+      int side = sign(determinant(minus(v[0], p), minus(v[1], p), minus(v[2], p)));
+      if (side == 0) {
+        return NOT_KNOWN; /* between two solids, perhaps */
+      }
+      inside = inside && side > 0;
+    }
+    known = inside ? MATERIAL : known;
+  }
+  return known;
+}
+
+static bool in_open_box(const surfaces *f, point p) {
+  for (int i = 0; i < 3; i++) {
+    if (p.x[i] <= f->low.x[i] || p.x[i] >= f->high.x[i]) {
+      return false;
+    }
+  }
+  return !f->closed;
+}
+
+static judgement judge_outside(const subject *s, const standing *at, point p) {
+  if (at->holding > 0) {
+    return is_cavity(&s->found, at) ? (judgement){CAVITY, NULL}
+                                    : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
+  }
+  return in_open_box(&s->found, p) ? (judgement){WRONG, "OUTSIDE in the box of open parts"}
+                                   : (judgement){OUTSIDE, NULL};
+}
+
+static judgement judge_inside(const standing *at) {
+  if (at->holding == 0) {
+    return (judgement){WRONG, "INSIDE, but no surface encloses it"};
+  }
+  return at->sum == 0 ? (judgement){WRONG, "INSIDE at winding number 0"}
+                      : (judgement){INSIDE, NULL};
+}
+
+static judgement judge_unknown(const subject *s, const standing *at, point p) {
+  if (in_open_box(&s->found, p)) {
+    return (judgement){UNKNOWN, NULL};
+  }
+  if (at->holding == 0) {
+    return (judgement){LOST, s->found.closed ? "UNKNOWN, but no surface encloses it"
+                                             : "UNKNOWN, open, but no surface encloses it"};
+  }
+  if (at->consistent && at->sum > 0) {
+    return (judgement){LOST, "UNKNOWN, but the winding number is above 0"};
+  }
+  if (at->consistent && at->above == 0) {
+    return (judgement){LOST, "UNKNOWN, but all is inside out"};
+  }
+  if (!at->consistent && at->sum % 2 != 0) {
+    return (judgement){LOST, "UNKNOWN, but the crossings are odd"};
+  }
+  return is_cavity(&s->found, at) ? (judgement){LOST, "UNKNOWN, but it is a cavity"}
+                                  : (judgement){UNKNOWN, NULL};
+}
+
+judgement judge_point(const subject *s, point p, generator *g) {
+  standing at;
+  sepax_inside other;
+  stand(&at, &s->found, p, g);
+  truth known = truth_at(s->b, p);
+  if ((known == MATERIAL && at.sum <= 0) || (known == NO_MATERIAL && at.sum != 0)) {
+    fprintf(stderr, "material: the generator and the winding number differ\n");
+    exit(2);
+  }
+  sepax_inside said = ask(s, p, &other);
+  judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p)
+                : said == SEPAX_INSIDE ? judge_inside(&at)
+                                       : judge_unknown(s, &at, p);
+  if (other != SEPAX_OUTSIDE && s->found.closed) {
+    j = (judgement){WRONG, "the body is not outside of the probe"};
+  }
+  j.is = j.is == LOST && known != NOT_KNOWN ? WRONG : j.is;
+  return j;
+}
+
+void write_subject(const subject *s, point p, const char *prefix) {
+  static sepax_facet facet[MOST];
+  static soup probe;
+  probe_soup(p, &probe);
+  for (int which = 0; which < 2; which++) {
+    char path[1000];
+    sepax_error error;
+    const soup *of = which == 0 ? &s->b->s : &probe;
+    place(&s->where, which, of->t, of->count, facet);
+    snprintf(path, sizeof path, "%s-%s.stl", prefix, which == 0 ? "body" : "probe");
+    const sepax_soup soup_of = {.facet = facet, .count = of->count};
+    need(sepax_stl_write(&soup_of, path, true, &error), &error);
+  }
+}
