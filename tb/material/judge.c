@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge.h"
 
-#include "cavity.h"
+#include "blocks.h"
+#include "parts.h"
 #include "touch.h"
 
 #include <stdio.h>
@@ -53,6 +54,10 @@ judgement judge_shell(const subject *s) {
   }
   if (s->shell.consistent != s->found.consistent) {
     return (judgement){WRONG, consistency[closed][s->shell.consistent]};
+  }
+  size_t part[MOST];
+  if (s->shell.parts != find_parts(&s->b->s, part)) {
+    return (judgement){WRONG, "another number of parts"};
   }
   return (judgement){OUTSIDE, NULL};
 }
@@ -110,10 +115,10 @@ static bool in_open_box(const surfaces *f, point p) {
   return !f->closed;
 }
 
-static judgement judge_outside(const subject *s, const standing *at, point p) {
+static judgement judge_outside(const subject *s, const standing *at, point p, generator *g) {
   if (at->holding > 0) {
-    return is_cavity(&s->found, at) ? (judgement){CAVITY, NULL}
-                                    : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
+    return is_cavity(&s->found, p, g) ? (judgement){CAVITY, NULL}
+                                      : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
   }
   return in_open_box(&s->found, p) ? (judgement){WRONG, "OUTSIDE in the box of open parts"}
                                    : (judgement){OUTSIDE, NULL};
@@ -127,7 +132,7 @@ static judgement judge_inside(const standing *at) {
                       : (judgement){INSIDE, NULL};
 }
 
-static judgement judge_unknown(const subject *s, const standing *at, point p) {
+static judgement judge_unknown(const subject *s, const standing *at, point p, generator *g) {
   if (in_open_box(&s->found, p)) {
     return (judgement){UNKNOWN, NULL};
   }
@@ -138,17 +143,20 @@ static judgement judge_unknown(const subject *s, const standing *at, point p) {
   if (at->consistent && at->sum > 0) {
     return (judgement){LOST, "UNKNOWN, but the winding number is above 0"};
   }
-  if (at->consistent && at->above == 0) {
+  if (at->consistent && at->below == at->holding) {
     return (judgement){LOST, "UNKNOWN, but all is inside out"};
   }
   if (!at->consistent && at->sum % 2 != 0) {
     return (judgement){LOST, "UNKNOWN, but the crossings are odd"};
   }
-  return is_cavity(&s->found, at) ? (judgement){LOST, "UNKNOWN, but it is a cavity"}
-                                  : (judgement){UNKNOWN, NULL};
+  return is_cavity(&s->found, p, g) ? (judgement){LOST, "UNKNOWN, but it is a cavity"}
+                                    : (judgement){UNKNOWN, NULL};
 }
 
-judgement judge_point(const subject *s, point p, generator *g) {
+judgement judge_point(const subject *s, point p) {
+  /* Rays of its own: the points that are drawn do not depend on answers. */
+  generator own = {(uint64_t)(p.x[0] ^ p.x[1] << 20 ^ p.x[2] << 40)};
+  generator *g = &own;
   standing at;
   sepax_inside other;
   stand(&at, &s->found, p, g);
@@ -158,9 +166,9 @@ judgement judge_point(const subject *s, point p, generator *g) {
     exit(2);
   }
   sepax_inside said = ask(s, p, &other);
-  judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p)
+  judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p, g)
                 : said == SEPAX_INSIDE ? judge_inside(&at)
-                                       : judge_unknown(s, &at, p);
+                                       : judge_unknown(s, &at, p, g);
   if (other != SEPAX_OUTSIDE && s->found.closed) {
     j = (judgement){WRONG, "the body is not outside of the probe"};
   }

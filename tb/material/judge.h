@@ -38,7 +38,7 @@ void close_subject(subject *s);
 judgement judge_shell(const subject *s);
 
 /* Is the probe at p inside? It must be free. */
-judgement judge_point(const subject *s, point p, generator *g);
+judgement judge_point(const subject *s, point p);
 
 /* Write the body and the probe at p as STL. */
 void write_subject(const subject *s, point p, const char *prefix);

@@ -71,11 +71,10 @@ static point draw_point(const soup *s, generator *g) {
 
 static judgement judge_alone(const body *b, const placing *where, point p) {
   subject s;
-  generator g = {1};
   open_subject(&s, b, where);
   judgement j = judge_shell(&s);
   if (j.is != WRONG) {
-    j = judge_point(&s, p, &g);
+    j = judge_point(&s, p);
   }
   close_subject(&s);
   return j;
@@ -185,7 +184,7 @@ static void judge_body(const options *o, tally *t, size_t kind, uint64_t number)
   for (uint64_t tries = 0; points < o->points && tries < 6 * o->points; tries++) {
     point p = draw_point(&b.s, &g);
     if (probe_is_free(&b.s, p)) {
-      count_in(o, t, &s, p, judge_point(&s, p, &g), kind, number);
+      count_in(o, t, &s, p, judge_point(&s, p), kind, number);
       points++;
     }
   }

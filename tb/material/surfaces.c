@@ -98,38 +98,85 @@ static void widen(surfaces *f, point p) {
   f->closed = false;
 }
 
-/* The segment of a line between two cuts that follow each other. */
+static bool runs_along(const edge *e, const line *l, size_t n) {
+  return e->at[0] <= l->cut[n] && l->cut[n] < e->at[1];
+}
+
+/* The row of the segment of a line between two cuts that follow each other. */
 static void add_segment(surfaces *f, const line *l, size_t n) {
   int entry[MOST] = {0};
   int edges = 0;
   int sum = 0;
-  size_t one = 0;
   for (size_t i = 0; i < l->edges; i++) {
     const edge *e = &l->edge[i];
-    if (e->at[0] <= l->cut[n] && l->cut[n] < e->at[1]) {
+    if (runs_along(e, l, n)) {
       entry[e->of] += e->sign;
       sum += e->sign;
-      one = edges++ == 0 ? root(f, e->of) : one;
-      f->block[root(f, e->of)] = one;
+      edges++;
     }
-  }
-  if (edges == 0) {
-    return;
   }
   if (edges % 2 != 0) {
     widen(f, l->where[n]);
     widen(f, l->where[n + 1]);
   }
   f->consistent = f->consistent && abs(sum) <= 1;
-  if (sum != 0) {
-    f->signed_in[one] = false;
+  if (edges > 0) {
+    add_row(f, entry);
   }
-  add_row(f, entry);
 }
 
 static void add_line(void *context, const line *l) {
   for (size_t n = 0; n + 1 < l->cuts; n++) {
     add_segment(context, l, n);
+  }
+}
+
+/* A triangle is in no closed surface if its factor is 0 in all of them: the functional that is 1 at
+ * this triangle is a combination of rows. */
+static void find_used(surfaces *f) {
+  size_t count = f->s->count;
+  for (size_t i = 0; i < count; i++) {
+    uint64_t v[MOST] = {0};
+    uint64_t v_of_2[WORDS] = {0};
+    v[i] = 1;
+    v_of_2[i / 64] = UINT64_C(1) << (i % 64);
+    f->used[i] = reduce(f, v, count) < count || reduce_of_2(f, v_of_2) < MOST;
+  }
+}
+
+/* Join the triangles along the segments of a line. */
+static void join_line(void *context, const line *l) {
+  surfaces *f = context;
+  for (size_t n = 0; n + 1 < l->cuts; n++) {
+    int sum = 0;
+    size_t one = MOST;
+    for (size_t i = 0; i < l->edges; i++) {
+      const edge *e = &l->edge[i];
+      if (f->used[e->of] && runs_along(e, l, n)) {
+        sum += e->sign;
+        one = one == MOST ? root(f, e->of) : one;
+        f->block[root(f, e->of)] = one;
+      }
+    }
+    if (sum != 0) {
+      f->signed_in[one] = false;
+    }
+  }
+}
+
+static void find_blocks(surfaces *f) {
+  size_t count = f->s->count;
+  for (size_t i = 0; i < count; i++) {
+    f->block[i] = i;
+    f->signed_in[i] = true;
+  }
+  for_each_line(f->s, join_line, f);
+  for (size_t i = 0; i < count; i++) {
+    size_t block = root(f, i);
+    f->signed_in[block] = f->signed_in[block] && f->signed_in[i];
+  }
+  for (size_t i = 0; i < count; i++) {
+    f->block[i] = root(f, i);
   }
 }
 
@@ -140,18 +187,9 @@ void find_surfaces(surfaces *f, const soup *s) {
   if (f->row == NULL || f->row_of_2 == NULL) {
     abort();
   }
-  for (size_t i = 0; i < s->count; i++) {
-    f->block[i] = i;
-    f->signed_in[i] = true;
-  }
   for_each_line(s, add_line, f);
-  for (size_t i = 0; i < s->count; i++) {
-    size_t block = root(f, i);
-    f->signed_in[block] = f->signed_in[block] && f->signed_in[i];
-  }
-  for (size_t i = 0; i < s->count; i++) {
-    f->block[i] = root(f, i);
-  }
+  find_used(f);
+  find_blocks(f);
 }
 
 void free_surfaces(surfaces *f) {

@@ -25,8 +25,9 @@ typedef struct {
   bool has_row[MOST], has_row_of_2[MOST];
   bool closed;          /* every segment has an even number of triangle edges */
   bool consistent;      /* on every segment the directions differ in number by at most 1 */
-  size_t block[MOST];   /* triangles that run along one segment belong to one block; its number is
-                           that of one of its triangles */
+  bool used[MOST];      /* the triangle is in some closed surface */
+  size_t block[MOST];   /* triangles that are used and run along one segment belong to one block;
+                           its number is that of one of its triangles */
   bool signed_in[MOST]; /* of a block: on every segment, directions cancel */
   point low, high;      /* the box of all segments with an odd number of edges, if not closed */
 } surfaces;

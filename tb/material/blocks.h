@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* cavity.h - which blocks of a body hold a point, and whether the point is in a cavity. */
-#ifndef MATERIAL_CAVITY_H
-#define MATERIAL_CAVITY_H
+/* blocks.h - which blocks of a body hold a point. */
+#ifndef MATERIAL_BLOCKS_H
+#define MATERIAL_BLOCKS_H
 
 #include "surfaces.h"
 
@@ -16,14 +16,10 @@ typedef struct {
   size_t holding;  /* so many blocks hold the point */
   bool consistent; /* in each of them, directions cancel on every segment */
   int sum;         /* of all */
-  size_t above;    /* so many have a sum above 0 */
+  size_t below;    /* so many have a sum below 0 */
 } standing;
 
 /* The result is valid until the next call. */
 void stand(standing *at, const surfaces *f, point p, generator *g);
-
-/* True if the blocks do not touch each other and are wound outwards, inwards, ... from the
- * outermost one on, an even number of them. */
-bool is_cavity(const surfaces *f, const standing *at);
 
 #endif
