@@ -2,11 +2,11 @@
 #include "judge.h"
 
 #include "blocks.h"
-#include "parts.h"
 #include "touch.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void need(bool works, const sepax_error *error) {
   if (!works) {
@@ -34,6 +34,7 @@ void open_subject(subject *s, const body *b, const placing *where) {
     s->where.given[k] = where->given[k] == NULL ? NULL : &s->where.pose[k];
   }
   find_surfaces(&s->found, &b->s);
+  find_parts(&s->parts, &b->s);
   make_body(where, 0, b->s.t, b->s.count, &s->solid, &s->shell);
 }
 
@@ -44,19 +45,15 @@ void close_subject(subject *s) {
 }
 
 judgement judge_shell(const subject *s) {
-  static const char *const consistency[2][2] = {
-      {"open, not consistent, but no triangle is turned", "open, consistent, but one is turned"},
-      {"closed, not consistent, but no triangle is turned",
-       "closed, consistent, but one is turned"}};
-  bool closed = s->shell.closed;
-  if (closed != s->found.closed) {
-    return (judgement){WRONG, closed ? "closed, but an edge is open" : "open, but no edge is"};
+  if (s->shell.closed != s->found.closed) {
+    return (judgement){WRONG,
+                       s->shell.closed ? "closed, but an edge is open" : "open, but no edge is"};
   }
   if (s->shell.consistent != s->found.consistent) {
-    return (judgement){WRONG, consistency[closed][s->shell.consistent]};
+    return (judgement){WRONG, s->shell.consistent ? "consistent, but a triangle is turned"
+                                                  : "not consistent, but no triangle is turned"};
   }
-  size_t part[MOST];
-  if (s->shell.parts != find_parts(&s->b->s, part)) {
+  if (s->shell.parts != s->parts.count) {
     return (judgement){WRONG, "another number of parts"};
   }
   return (judgement){OUTSIDE, NULL};
@@ -106,51 +103,53 @@ static truth truth_at(const body *b, point p) {
   return known;
 }
 
-static bool in_open_box(const surfaces *f, point p) {
+static bool in_box(point p, point low, point high) {
+  bool in = true;
   for (int i = 0; i < 3; i++) {
-    if (p.x[i] <= f->low.x[i] || p.x[i] >= f->high.x[i]) {
-      return false;
-    }
+    in = in && low.x[i] < p.x[i] && p.x[i] < high.x[i];
   }
-  return !f->closed;
+  return in;
 }
 
 static judgement judge_outside(const subject *s, const standing *at, point p, generator *g) {
   if (at->holding > 0) {
-    return is_cavity(&s->found, p, g) ? (judgement){CAVITY, NULL}
-                                      : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
+    return is_cavity(&s->found, &s->parts, p, g)
+               ? (judgement){CAVITY, NULL}
+               : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
   }
-  return in_open_box(&s->found, p) ? (judgement){WRONG, "OUTSIDE in the box of open parts"}
-                                   : (judgement){OUTSIDE, NULL};
+  return !s->found.closed && in_box(p, s->found.low, s->found.high)
+             ? (judgement){WRONG, "OUTSIDE in the box of open parts"}
+             : (judgement){OUTSIDE, NULL};
 }
 
-static judgement judge_inside(const standing *at) {
+static judgement judge_inside(const subject *s, const standing *at) {
   if (at->holding == 0) {
     return (judgement){WRONG, "INSIDE, but no surface encloses it"};
   }
-  return at->sum == 0 ? (judgement){WRONG, "INSIDE at winding number 0"}
-                      : (judgement){INSIDE, NULL};
+  return at->sum == 0 && s->found.closed ? (judgement){WRONG, "INSIDE at winding number 0"}
+                                         : (judgement){INSIDE, NULL};
+}
+
+/* What the rule says more than UNKNOWN. */
+static const char *lost(const subject *s, const standing *at, point p, generator *g) {
+  if (at->holding == 0) {
+    return "UNKNOWN, but no surface encloses it";
+  }
+  if (at->consistent && at->sum > 0) {
+    return "UNKNOWN, but the winding number is above 0";
+  }
+  if (at->consistent && at->below == at->holding) {
+    return "UNKNOWN, but all is inside out";
+  }
+  if (!at->consistent && at->sum % 2 != 0) {
+    return "UNKNOWN, but the crossings are odd";
+  }
+  return is_cavity(&s->found, &s->parts, p, g) ? "UNKNOWN, but it is a cavity" : NULL;
 }
 
 static judgement judge_unknown(const subject *s, const standing *at, point p, generator *g) {
-  if (in_open_box(&s->found, p)) {
-    return (judgement){UNKNOWN, NULL};
-  }
-  if (at->holding == 0) {
-    return (judgement){LOST, s->found.closed ? "UNKNOWN, but no surface encloses it"
-                                             : "UNKNOWN, open, but no surface encloses it"};
-  }
-  if (at->consistent && at->sum > 0) {
-    return (judgement){LOST, "UNKNOWN, but the winding number is above 0"};
-  }
-  if (at->consistent && at->below == at->holding) {
-    return (judgement){LOST, "UNKNOWN, but all is inside out"};
-  }
-  if (!at->consistent && at->sum % 2 != 0) {
-    return (judgement){LOST, "UNKNOWN, but the crossings are odd"};
-  }
-  return is_cavity(&s->found, p, g) ? (judgement){LOST, "UNKNOWN, but it is a cavity"}
-                                    : (judgement){UNKNOWN, NULL};
+  const char *more = in_box(p, s->parts.low, s->parts.high) ? NULL : lost(s, at, p, g);
+  return (judgement){more == NULL ? UNKNOWN : LOST, more};
 }
 
 judgement judge_point(const subject *s, point p) {
@@ -167,7 +166,7 @@ judgement judge_point(const subject *s, point p) {
   }
   sepax_inside said = ask(s, p, &other);
   judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p, g)
-                : said == SEPAX_INSIDE ? judge_inside(&at)
+                : said == SEPAX_INSIDE ? judge_inside(s, &at)
                                        : judge_unknown(s, &at, p, g);
   if (other != SEPAX_OUTSIDE && s->found.closed) {
     j = (judgement){WRONG, "the body is not outside of the probe"};

@@ -3,6 +3,7 @@
 #ifndef MATERIAL_JUDGE_H
 #define MATERIAL_JUDGE_H
 
+#include "parts.h"
 #include "place.h"
 #include "surfaces.h"
 
@@ -26,6 +27,7 @@ typedef struct {
   const body *b; /* its soup, and the solids of which it is the union, if known */
   placing where;
   surfaces found;
+  division parts;
   sepax_body *solid;
   sepax_shell shell;
 } subject;

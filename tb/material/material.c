@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* material - what the library says about the inside of random bodies, against linear algebra.
- *   material [--bodies=N] [--seed=S] [--kind=K] [--from=N] [--points=N] [--lost] [--shrink]
- *            [--write=PREFIX]
+ *   material [--bodies=N] [--seed=S] [--kind=K] [--from=N] [--points=N] [--lost] [--only=TEXT]
+ * [--closed]
+ *            [--shrink] [--write=PREFIX]
  *
  * Prints a line for each kind of body: bodies, points, and how many points are
  *   outside  OUTSIDE, and no closed surface that the triangles can form encloses them
@@ -13,8 +14,10 @@
  *   wrong    an answer that is wrong. Fields of a shell count here, too.
  * and then how often each reason was given. A wrong answer is printed with the options that make
  * its body again (--bodies=1 with them).
- * --shrink leaves out triangles as long as the answer is wrong in the same way, and prints the
- * triangles. --write writes PREFIX-body.stl and PREFIX-probe.stl. Exit status 1: one is wrong. */
+ * --only shows the answers whose reason has the text,
+ * --closed those on closed bodies. --shrink leaves out triangles as long as the
+ * answer is wrong in the same way, and prints the triangles. --write writes PREFIX-body.stl and
+ * PREFIX-probe.stl. Exit status 1: one is wrong. */
 #include "judge.h"
 #include "touch.h"
 
@@ -31,8 +34,8 @@ enum { SHOWN = 8 }; /* answers of a kind that are printed */
 typedef struct {
   uint64_t bodies, seed, from, points;
   size_t kind; /* or the count of kinds: all */
-  bool lost, shrink;
-  const char *prefix;
+  bool lost, closed, shrink;
+  const char *prefix, *only;
 } options;
 
 typedef struct {
@@ -42,8 +45,10 @@ typedef struct {
 /* How often each reason was given, over all kinds. */
 static struct {
   judgement j;
+  bool closed;
   uint64_t times;
-} reasons[32];
+} reasons[40];
+enum { REASONS = sizeof reasons / sizeof *reasons };
 
 /* A point near a triangle, near a corner, or anywhere in and about the box of the body. */
 static point draw_point(const soup *s, generator *g) {
@@ -69,29 +74,32 @@ static point draw_point(const soup *s, generator *g) {
   return p;
 }
 
-static judgement judge_alone(const body *b, const placing *where, point p) {
+static bool same(judgement j, const char *why) { return j.why != NULL && strcmp(j.why, why) == 0; }
+
+/* Is the answer about a body, closed or open as given, wrong for the same reason? */
+static bool is_wrong_so(const body *b, const placing *where, point p, const char *why,
+                        bool closed) {
   subject s;
   open_subject(&s, b, where);
   judgement j = judge_shell(&s);
   if (j.is != WRONG) {
     j = judge_point(&s, p);
   }
+  bool as_open = s.found.closed == closed;
   close_subject(&s);
-  return j;
+  return as_open && same(j, why);
 }
 
-static bool same(judgement j, const char *why) { return j.why != NULL && strcmp(j.why, why) == 0; }
-
 /* Leave out `together` triangles if the answer stays as it is. */
-static bool leave_out(body *b, const placing *where, point p, const char *why, int together,
-                      generator *g) {
+static bool leave_out(body *b, const placing *where, point p, const char *why, bool closed,
+                      int together, generator *g) {
   static body fewer;
   fewer = *b;
   for (int n = 0; n < together && fewer.s.count > 0; n++) {
     remove_triangle(&fewer.s, (size_t)draw(g, 0, (int64_t)fewer.s.count - 1));
   }
   if (fewer.s.count == 0 || !probe_is_free(&fewer.s, p) ||
-      !same(judge_alone(&fewer, where, p), why)) {
+      !is_wrong_so(&fewer, where, p, why, closed)) {
     return false;
   }
   *b = fewer;
@@ -99,16 +107,16 @@ static bool leave_out(body *b, const placing *where, point p, const char *why, i
 }
 
 /* Fewer triangles, and no pose if it does not matter. */
-static void shrink(body *b, placing *where, point p, const char *why) {
+static void shrink(body *b, placing *where, point p, const char *why, bool closed) {
   generator g = {1};
   placing plain;
   draw_place(&plain, true, &g);
   b->solids = 0;
-  if (same(judge_alone(b, &plain, p), why)) {
+  if (is_wrong_so(b, &plain, p, why, closed)) {
     *where = plain;
   }
   for (int vain = 0; vain < 4000;) {
-    vain = leave_out(b, where, p, why, (int)draw(&g, 1, 6), &g) ? 0 : vain + 1;
+    vain = leave_out(b, where, p, why, closed, (int)draw(&g, 1, 6), &g) ? 0 : vain + 1;
   }
 }
 
@@ -125,7 +133,7 @@ static void print_body(const soup *s, point p) {
 }
 
 static void show(const options *o, const body *b, const placing *where, point p, judgement j,
-                 size_t kind, uint64_t number) {
+                 bool closed, size_t kind, uint64_t number) {
   static body small;
   placing place_of = *where;
   small = *b;
@@ -135,7 +143,7 @@ static void show(const options *o, const body *b, const placing *where, point p,
     for (int k = 0; k < 2; k++) {
       place_of.given[k] = where->given[k] == NULL ? NULL : &place_of.pose[k];
     }
-    shrink(&small, &place_of, p, j.why);
+    shrink(&small, &place_of, p, j.why, closed);
     print_body(&small.s, p);
   }
   if (o->prefix != NULL) {
@@ -149,15 +157,20 @@ static void show(const options *o, const body *b, const placing *where, point p,
 static void count_in(const options *o, tally *t, const subject *s, point p, judgement j,
                      size_t kind, uint64_t number) {
   t->of[j.is]++;
-  for (size_t n = 0; n < sizeof reasons / sizeof *reasons && j.why != NULL; n++) {
-    if (reasons[n].times == 0 || (reasons[n].j.is == j.is && same(j, reasons[n].j.why))) {
+  bool closed = s->found.closed;
+  for (size_t n = 0; n < REASONS && j.why != NULL; n++) {
+    bool known = reasons[n].j.is == j.is && reasons[n].closed == closed;
+    if (reasons[n].times == 0 || (known && same(j, reasons[n].j.why))) {
       reasons[n].j = j;
+      reasons[n].closed = closed;
       reasons[n].times++;
       break;
     }
   }
-  if ((j.is == WRONG || (o->lost && j.is == LOST)) && t->shown++ < SHOWN) {
-    show(o, s->b, &s->where, p, j, kind, number);
+  bool shown = j.is == WRONG || (o->lost && j.is == LOST);
+  shown = shown && (!o->closed || closed);
+  if (shown && strstr(j.why, o->only) != NULL && t->shown++ < SHOWN) {
+    show(o, s->b, &s->where, p, j, closed, kind, number);
   }
 }
 
@@ -215,9 +228,9 @@ static bool print_table(const tally *of) {
     }
   }
   print_row("all", &all);
-  for (size_t n = 0; n < sizeof reasons / sizeof *reasons && reasons[n].times > 0; n++) {
-    printf("%s %9" PRIu64 "  %s\n", reasons[n].j.is == WRONG ? "wrong" : "lost ", reasons[n].times,
-           reasons[n].j.why);
+  for (size_t n = 0; n < REASONS && reasons[n].times > 0; n++) {
+    printf("%s %9" PRIu64 "  %s: %s\n", reasons[n].j.is == WRONG ? "wrong" : "lost ",
+           reasons[n].times, reasons[n].closed ? "closed" : "open", reasons[n].j.why);
   }
   return all.of[WRONG] == 0 && all.points > 0;
 }
@@ -237,8 +250,9 @@ static options read_options(int argc, char **argv) {
   static const struct option names[] = {
       {"bodies", 1, NULL, 'b'}, {"seed", 1, NULL, 's'},   {"kind", 1, NULL, 'k'},
       {"from", 1, NULL, 'f'},   {"points", 1, NULL, 'p'}, {"write", 1, NULL, 'w'},
-      {"lost", 0, NULL, 'l'},   {"shrink", 0, NULL, 'm'}, {NULL, 0, NULL, 0}};
-  options o = {.bodies = 3000, .seed = 1, .points = 8, .kind = kinds()};
+      {"lost", 0, NULL, 'l'},   {"closed", 0, NULL, 'c'}, {"only", 1, NULL, 'o'},
+      {"shrink", 0, NULL, 'm'}, {NULL, 0, NULL, 0}};
+  options o = {.bodies = 3000, .seed = 1, .points = 8, .kind = kinds(), .only = ""};
   for (int c; (c = getopt_long(argc, argv, "", names, NULL)) != -1;) {
     switch (c) {
     case 'b':
@@ -252,6 +266,12 @@ static options read_options(int argc, char **argv) {
       break;
     case 'p':
       o.points = number_of(optarg);
+      break;
+    case 'c':
+      o.closed = true;
+      break;
+    case 'o':
+      o.only = optarg;
       break;
     case 'w':
       o.prefix = optarg;

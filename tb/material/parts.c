@@ -6,32 +6,35 @@
 
 #include <stdlib.h>
 
-static size_t root(size_t *part, size_t i) {
-  while (part[i] != i) {
-    i = part[i] = part[part[i]];
+/* What joining takes. */
+typedef struct {
+  const soup *s;
+  division *d;
+} joining;
+
+static size_t root(division *d, size_t i) {
+  while (d->part[i] != i) {
+    i = d->part[i] = d->part[d->part[i]];
   }
   return i;
 }
 
-static void join(size_t *part, size_t a, size_t b) { part[root(part, a)] = root(part, b); }
-
-/* Directions along the edges with the ends of `e`. */
-static int sum_along(const line *l, const edge *e) {
+/* Directions along the edges with the ends of `e`, of triangles that have an area. */
+static int sum_along(const line *l, const edge *e, const soup *s) {
   int sum = 0;
   for (size_t i = 0; i < l->edges; i++) {
     const edge *other = &l->edge[i];
-    sum += other->at[0] == e->at[0] && other->at[1] == e->at[1] ? other->sign : 0;
+    bool same = other->at[0] == e->at[0] && other->at[1] == e->at[1];
+    sum += same && !is_zero(normal(s->t[other->of].v)) ? other->sign : 0;
   }
   return sum;
 }
 
 static void join_along(void *context, const line *l) {
-  size_t *part = context;
+  joining *to = context;
   bool uneven[3 * MOST];
   for (size_t i = 0; i < l->edges; i++) {
-    uneven[i] = sum_along(l, &l->edge[i]) != 0;
-  }
-  for (size_t i = 0; i < l->edges; i++) {
+    uneven[i] = sum_along(l, &l->edge[i], to->s) != 0;
     for (size_t j = 0; j < i; j++) {
       const edge *a = &l->edge[i];
       const edge *b = &l->edge[j];
@@ -39,25 +42,53 @@ static void join_along(void *context, const line *l) {
       bool share = a->at[0] == b->at[0] || a->at[0] == b->at[1] || a->at[1] == b->at[0] ||
                    a->at[1] == b->at[1];
       if (same || (share && uneven[i] && uneven[j])) {
-        join(part, a->of, b->of);
+        to->d->part[root(to->d, a->of)] = root(to->d, b->of);
       }
     }
   }
 }
 
-size_t find_parts(const soup *s, size_t *part) {
-  size_t count = 0;
-  for (size_t i = 0; i < s->count; i++) {
-    part[i] = i;
+/* The parts of which an odd number of triangles run along a segment. */
+static void open_along(void *context, const line *l) {
+  joining *to = context;
+  for (size_t n = 0; n + 1 < l->cuts; n++) {
+    for (size_t i = 0; i < l->edges; i++) {
+      size_t part = to->d->part[l->edge[i].of];
+      int edges = 0;
+      for (size_t j = 0; j < l->edges; j++) {
+        const edge *e = &l->edge[j];
+        bool on = e->at[0] <= l->cut[n] && l->cut[n] < e->at[1];
+        edges += on && to->d->part[e->of] == part;
+      }
+      to->d->open[part] = to->d->open[part] || edges % 2 != 0;
+    }
   }
-  for_each_line(s, join_along, part);
-  for (size_t i = 0; i < s->count; i++) {
-    count += part[i] == i;
+}
+
+static void find_open_box(division *d, const soup *s) {
+  for (size_t n = 0; n < 9 * s->count; n++) {
+    if (d->open[d->part[n / 9]]) {
+      int64_t x = s->t[n / 9].v[n % 9 / 3].x[n % 3];
+      d->low.x[n % 3] = x < d->low.x[n % 3] ? x : d->low.x[n % 3];
+      d->high.x[n % 3] = x > d->high.x[n % 3] ? x : d->high.x[n % 3];
+    }
   }
+}
+
+void find_parts(division *d, const soup *s) {
+  *d = (division){.low = {{INT64_MAX, INT64_MAX, INT64_MAX}},
+                  .high = {{INT64_MIN, INT64_MIN, INT64_MIN}}};
+  joining to = {s, d};
   for (size_t i = 0; i < s->count; i++) {
-    part[i] = root(part, i);
+    d->part[i] = i;
   }
-  return count;
+  for_each_line(s, join_along, &to);
+  for (size_t i = 0; i < s->count; i++) {
+    d->part[i] = root(d, i);
+    d->count += d->part[i] == i;
+  }
+  for_each_line(s, open_along, &to);
+  find_open_box(d, s);
 }
 
 /* A part that encloses the point. */
@@ -99,13 +130,13 @@ static bool walls_touch(const wall *a, const wall *b) {
 }
 
 /* Fill in a wall. False if the part does not enclose the point. *even: directions cancel in it. */
-static bool find_wall(wall *w, const surfaces *f, const size_t *part, size_t which, point p,
+static bool find_wall(wall *w, const surfaces *f, const division *d, size_t which, point p,
                       bool *even, generator *g) {
   static enclosure e;
   surfaces own;
   w->s.count = 0;
   for (size_t i = 0; i < f->s->count; i++) {
-    if (part[i] == which) {
+    if (d->part[i] == which) {
       w->s.t[w->s.count++] = f->s->t[i];
     }
   }
@@ -144,12 +175,12 @@ static bool alternate(const wall *w, size_t walls) {
 }
 
 /* No closed surface encloses the point by the triangles of other parts. */
-static bool nothing_else(const surfaces *f, const size_t *part, const bool *is_wall, point p,
+static bool nothing_else(const surfaces *f, const division *d, const bool *is_wall, point p,
                          generator *g) {
   static enclosure e;
   find_crossings(&e, f->s, p, g);
   for (size_t i = 0; i < f->s->count; i++) {
-    e.crossing[i] = is_wall[part[i]] ? 0 : e.crossing[i];
+    e.crossing[i] = is_wall[d->part[i]] ? 0 : e.crossing[i];
   }
   find_enclosure(&e, f, MOST);
   return !e.enclosed && !e.enclosed_of_2;
@@ -157,15 +188,13 @@ static bool nothing_else(const surfaces *f, const size_t *part, const bool *is_w
 
 enum { WALLS = 16 };
 
-bool is_cavity(const surfaces *f, point p, generator *g) {
+bool is_cavity(const surfaces *f, const division *d, point p, generator *g) {
   static wall w[WALLS];
-  size_t part[MOST];
   bool is_wall[MOST] = {false};
   size_t walls = 0;
-  find_parts(f->s, part);
   for (size_t i = 0; i < f->s->count && walls < WALLS; i++) {
     bool even;
-    if (part[i] == i && find_wall(&w[walls], f, part, i, p, &even, g)) {
+    if (d->part[i] == i && find_wall(&w[walls], f, d, i, p, &even, g)) {
       if (!even) {
         return false;
       }
@@ -173,5 +202,5 @@ bool is_cavity(const surfaces *f, point p, generator *g) {
       walls++;
     }
   }
-  return walls > 0 && walls < WALLS && alternate(w, walls) && nothing_else(f, part, is_wall, p, g);
+  return walls > 0 && walls < WALLS && alternate(w, walls) && nothing_else(f, d, is_wall, p, g);
 }

@@ -6,13 +6,18 @@
 
 #include "surfaces.h"
 
-/* part[i] is the number of the part of triangle i. Return how many parts there are. Triangles
- * without area count. */
-size_t find_parts(const soup *s, size_t *part);
+typedef struct {
+  size_t part[MOST]; /* of a triangle: the number of its part */
+  size_t count;
+  bool open[MOST]; /* of a part: an odd number of its triangles runs along some segment */
+  point low, high; /* the box of all open parts; low is above high if there is none */
+} division;
+
+void find_parts(division *d, const soup *s);
 
 /* True if the parts that enclose the point do not touch each other, directions cancel in each of
  * them, and they are wound outwards, inwards, ... from the outermost one on, an even number of
  * them; and if no closed surface encloses the point by the other parts. */
-bool is_cavity(const surfaces *f, point p, generator *g);
+bool is_cavity(const surfaces *f, const division *d, point p, generator *g);
 
 #endif
