@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge.h"
 
-#include "blocks.h"
 #include "touch.h"
 
 #include <stdio.h>
@@ -111,63 +110,91 @@ static bool in_box(point p, point low, point high) {
   return in;
 }
 
-static judgement judge_outside(const subject *s, const standing *at, point p, generator *g) {
-  if (at->holding > 0) {
-    return is_cavity(&s->found, &s->parts, p, g)
-               ? (judgement){CAVITY, NULL}
-               : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
+/* What is known about a point. */
+typedef struct {
+  bool enclosed;     /* by a closed surface */
+  walls by;          /* if it is enclosed */
+  sepax_inside rule; /* what rules 2 and 3 say: UNKNOWN, if nothing */
+} standing;
+
+/* Rules 2 and 3 for parts. If surfaces of several parts together enclose the point, it is not
+ * known which of the rules the library may apply. */
+static sepax_inside rule_of(const walls *w) {
+  if (!w->alone) {
+    return SEPAX_INSIDE_UNKNOWN;
+  }
+  if (w->consistent ? w->sum > 0 || w->below == w->count : w->sum % 2 != 0) {
+    return SEPAX_INSIDE;
+  }
+  return w->in_turn ? SEPAX_OUTSIDE : SEPAX_INSIDE_UNKNOWN;
+}
+
+static standing stand(const subject *s, const int8_t *crossing) {
+  standing at = {.enclosed = is_enclosed(&s->found, crossing), .rule = SEPAX_OUTSIDE};
+  if (at.enclosed) {
+    find_walls(&at.by, &s->found, &s->parts, crossing);
+    at.rule = rule_of(&at.by);
+  }
+  return at;
+}
+
+static int sum_of(const int8_t *crossing, size_t count) {
+  int sum = 0;
+  for (size_t i = 0; i < count; i++) {
+    sum += crossing[i];
+  }
+  return sum;
+}
+
+static judgement judge_outside(const subject *s, const standing *at, point p) {
+  if (at->enclosed) {
+    return at->rule == SEPAX_OUTSIDE ? (judgement){CAVITY, NULL}
+                                     : (judgement){WRONG, "OUTSIDE, but a surface encloses it"};
   }
   return !s->found.closed && in_box(p, s->found.low, s->found.high)
              ? (judgement){WRONG, "OUTSIDE in the box of open parts"}
              : (judgement){OUTSIDE, NULL};
 }
 
-static judgement judge_inside(const subject *s, const standing *at) {
-  if (at->holding == 0) {
+/* An odd number of crossings is INSIDE if a part is not consistent, and this part need not enclose
+ * the point. */
+static judgement judge_inside(const subject *s, const standing *at, const int8_t *crossing) {
+  int all = sum_of(crossing, s->b->s.count);
+  if (!at->enclosed) {
     return (judgement){WRONG, "INSIDE, but no surface encloses it"};
   }
-  return at->sum == 0 && s->found.closed ? (judgement){WRONG, "INSIDE at winding number 0"}
-                                         : (judgement){INSIDE, NULL};
+  bool may = at->rule == SEPAX_INSIDE || !at->by.alone || all % 2 != 0 || !s->found.closed;
+  return may ? (judgement){INSIDE, NULL} : (judgement){WRONG, "INSIDE by no rule"};
 }
 
-/* What the rule says more than UNKNOWN. */
-static const char *lost(const subject *s, const standing *at, point p, generator *g) {
-  if (at->holding == 0) {
-    return "UNKNOWN, but no surface encloses it";
+static judgement judge_unknown(const subject *s, const standing *at, point p) {
+  if (in_box(p, s->parts.low, s->parts.high) || at->rule == SEPAX_INSIDE_UNKNOWN) {
+    return (judgement){UNKNOWN, NULL};
   }
-  if (at->consistent && at->sum > 0) {
-    return "UNKNOWN, but the winding number is above 0";
-  }
-  if (at->consistent && at->below == at->holding) {
-    return "UNKNOWN, but all is inside out";
-  }
-  if (!at->consistent && at->sum % 2 != 0) {
-    return "UNKNOWN, but the crossings are odd";
-  }
-  return is_cavity(&s->found, &s->parts, p, g) ? "UNKNOWN, but it is a cavity" : NULL;
-}
-
-static judgement judge_unknown(const subject *s, const standing *at, point p, generator *g) {
-  const char *more = in_box(p, s->parts.low, s->parts.high) ? NULL : lost(s, at, p, g);
-  return (judgement){more == NULL ? UNKNOWN : LOST, more};
+  const char *why = !at->enclosed               ? "UNKNOWN, but no surface encloses it"
+                    : at->rule == SEPAX_OUTSIDE ? "UNKNOWN, but it is a cavity"
+                    : !at->by.consistent        ? "UNKNOWN, but the crossings are odd"
+                    : at->by.sum > 0            ? "UNKNOWN, but the winding number is above 0"
+                                                : "UNKNOWN, but all is inside out";
+  return (judgement){LOST, why};
 }
 
 judgement judge_point(const subject *s, point p) {
   /* Rays of its own: the points that are drawn do not depend on answers. */
   generator own = {(uint64_t)(p.x[0] ^ p.x[1] << 20 ^ p.x[2] << 40)};
-  generator *g = &own;
-  standing at;
+  int8_t crossing[MOST];
   sepax_inside other;
-  stand(&at, &s->found, p, g);
+  find_crossings(crossing, &s->b->s, p, &own);
+  standing at = stand(s, crossing);
   truth known = truth_at(s->b, p);
-  if ((known == MATERIAL && at.sum <= 0) || (known == NO_MATERIAL && at.sum != 0)) {
+  if (known != NOT_KNOWN && (known == MATERIAL) != (sum_of(crossing, s->b->s.count) > 0)) {
     fprintf(stderr, "material: the generator and the winding number differ\n");
     exit(2);
   }
   sepax_inside said = ask(s, p, &other);
-  judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p, g)
-                : said == SEPAX_INSIDE ? judge_inside(s, &at)
-                                       : judge_unknown(s, &at, p, g);
+  judgement j = said == SEPAX_OUTSIDE  ? judge_outside(s, &at, p)
+                : said == SEPAX_INSIDE ? judge_inside(s, &at, crossing)
+                                       : judge_unknown(s, &at, p);
   if (other != SEPAX_OUTSIDE && s->found.closed) {
     j = (judgement){WRONG, "the body is not outside of the probe"};
   }

@@ -90,20 +90,25 @@ static bool is_wrong_so(const body *b, const placing *where, point p, const char
   return as_open && same(j, why);
 }
 
-/* Leave out `together` triangles if the answer stays as it is. */
-static bool leave_out(body *b, const placing *where, point p, const char *why, bool closed,
-                      int together, generator *g) {
-  static body fewer;
-  fewer = *b;
-  for (int n = 0; n < together && fewer.s.count > 0; n++) {
-    remove_triangle(&fewer.s, (size_t)draw(g, 0, (int64_t)fewer.s.count - 1));
+/* Leave out a few triangles, or of a closed body a closed surface, so that it stays closed. */
+static void leave_out(soup *s, bool closed, generator *g) {
+  static bool in[MOST];
+  surfaces f;
+  if (!closed || one_in(g, 8)) {
+    for (int64_t n = draw(g, 1, 4); n > 0 && s->count > 0; n--) {
+      remove_triangle(s, (size_t)draw(g, 0, (int64_t)s->count - 1));
+    }
+    return;
   }
-  if (fewer.s.count == 0 || !probe_is_free(&fewer.s, p) ||
-      !is_wrong_so(&fewer, where, p, why, closed)) {
-    return false;
+  find_surfaces(&f, s);
+  if (draw_surface(&f, in, g)) {
+    for (size_t i = s->count; i-- > 0;) {
+      if (in[i]) {
+        remove_triangle(s, i);
+      }
+    }
   }
-  *b = fewer;
-  return true;
+  free_surfaces(&f);
 }
 
 /* Fewer triangles, and no pose if it does not matter. */
@@ -115,8 +120,15 @@ static void shrink(body *b, placing *where, point p, const char *why, bool close
   if (is_wrong_so(b, &plain, p, why, closed)) {
     *where = plain;
   }
-  for (int vain = 0; vain < 4000;) {
-    vain = leave_out(b, where, p, why, closed, (int)draw(&g, 1, 6), &g) ? 0 : vain + 1;
+  for (int vain = 0; vain < 1000; vain++) {
+    static body fewer;
+    fewer = *b;
+    leave_out(&fewer.s, closed, &g);
+    if (fewer.s.count > 0 && fewer.s.count < b->s.count && probe_is_free(&fewer.s, p) &&
+        is_wrong_so(&fewer, where, p, why, closed)) {
+      *b = fewer;
+      vain = 0;
+    }
   }
 }
 

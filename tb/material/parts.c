@@ -4,7 +4,7 @@
 #include "lines.h"
 #include "touch.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 /* What joining takes. */
 typedef struct {
@@ -94,7 +94,7 @@ void find_parts(division *d, const soup *s) {
 /* A part that encloses the point. */
 typedef struct {
   soup s;
-  int sum; /* how often a ray leaves less how often it enters */
+  int sum;
   point low, high;
 } wall;
 
@@ -129,35 +129,33 @@ static bool walls_touch(const wall *a, const wall *b) {
   return false;
 }
 
-/* Fill in a wall. False if the part does not enclose the point. *even: directions cancel in it. */
-static bool find_wall(wall *w, const surfaces *f, const division *d, size_t which, point p,
-                      bool *even, generator *g) {
-  static enclosure e;
+/* Fill in a wall. False if the part does not enclose the point. */
+static bool find_wall(wall *w, const soup *s, const division *d, size_t part,
+                      const int8_t *crossing, bool *consistent) {
   surfaces own;
+  int8_t crossing_own[MOST];
   w->s.count = 0;
-  for (size_t i = 0; i < f->s->count; i++) {
-    if (d->part[i] == which) {
-      w->s.t[w->s.count++] = f->s->t[i];
+  w->sum = 0;
+  for (size_t i = 0; i < s->count; i++) {
+    if (d->part[i] == part) {
+      crossing_own[w->s.count] = crossing[i];
+      w->s.t[w->s.count++] = s->t[i];
+      w->sum += crossing[i];
     }
   }
   find_surfaces(&own, &w->s);
-  find_crossings(&e, &w->s, p, g);
-  find_enclosure(&e, &own, MOST);
-  w->sum = 0;
-  for (size_t i = 0; i < w->s.count; i++) {
-    w->sum += e.crossing[i];
-  }
-  *even = own.closed && own.consistent;
+  bool encloses = is_enclosed(&own, crossing_own);
+  *consistent = own.closed && own.consistent;
   free_surfaces(&own);
   find_box(w);
-  return e.enclosed || e.enclosed_of_2;
+  return encloses;
 }
 
 /* Do the walls follow each other as those round a cavity do? */
-static bool alternate(const wall *w, size_t walls) {
-  for (size_t i = 0; i < walls; i++) {
+static bool alternate(const wall *w, size_t count) {
+  for (size_t i = 0; i < count; i++) {
     size_t outer = 0;
-    for (size_t j = 0; j < walls; j++) {
+    for (size_t j = 0; j < count; j++) {
       bool in = is_round(&w[j], &w[i]);
       if (i != j && !in && !is_round(&w[i], &w[j])) {
         return false;
@@ -171,36 +169,30 @@ static bool alternate(const wall *w, size_t walls) {
       return false;
     }
   }
-  return walls % 2 == 0;
+  return count % 2 == 0;
 }
 
-/* No closed surface encloses the point by the triangles of other parts. */
-static bool nothing_else(const surfaces *f, const division *d, const bool *is_wall, point p,
-                         generator *g) {
-  static enclosure e;
-  find_crossings(&e, f->s, p, g);
-  for (size_t i = 0; i < f->s->count; i++) {
-    e.crossing[i] = is_wall[d->part[i]] ? 0 : e.crossing[i];
-  }
-  find_enclosure(&e, f, MOST);
-  return !e.enclosed && !e.enclosed_of_2;
-}
+enum { WALLS = 64 };
 
-enum { WALLS = 16 };
-
-bool is_cavity(const surfaces *f, const division *d, point p, generator *g) {
+void find_walls(walls *found, const surfaces *f, const division *d, const int8_t *crossing) {
   static wall w[WALLS];
-  bool is_wall[MOST] = {false};
-  size_t walls = 0;
-  for (size_t i = 0; i < f->s->count && walls < WALLS; i++) {
-    bool even;
-    if (d->part[i] == i && find_wall(&w[walls], f, d, i, p, &even, g)) {
-      if (!even) {
-        return false;
-      }
-      is_wall[i] = true;
-      walls++;
+  int8_t rest[MOST];
+  *found = (walls){.consistent = true};
+  memcpy(rest, crossing, sizeof rest);
+  for (size_t part = 0; part < f->s->count && found->count < WALLS; part++) {
+    bool consistent;
+    if (d->part[part] != part ||
+        !find_wall(&w[found->count], f->s, d, part, crossing, &consistent)) {
+      continue;
+    }
+    int sum = w[found->count++].sum;
+    found->consistent = found->consistent && consistent;
+    found->sum += sum;
+    found->below += sum < 0;
+    for (size_t i = 0; i < f->s->count; i++) {
+      rest[i] = d->part[i] == part ? 0 : rest[i];
     }
   }
-  return walls > 0 && walls < WALLS && alternate(w, walls) && nothing_else(f, d, is_wall, p, g);
+  found->alone = !is_enclosed(f, rest);
+  found->in_turn = found->consistent && alternate(w, found->count);
 }

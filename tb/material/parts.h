@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* parts.h - the parts of a soup by the definition in sepax.h, and whether a point is in a cavity.
+/* parts.h - the parts of a soup by the definition in sepax.h, and which of them enclose a
+ * point.
  */
 #ifndef MATERIAL_PARTS_H
 #define MATERIAL_PARTS_H
@@ -15,9 +16,18 @@ typedef struct {
 
 void find_parts(division *d, const soup *s);
 
-/* True if the parts that enclose the point do not touch each other, directions cancel in each of
- * them, and they are wound outwards, inwards, ... from the outermost one on, an even number of
- * them; and if no closed surface encloses the point by the other parts. */
-bool is_cavity(const surfaces *f, const division *d, point p, generator *g);
+/* The parts of which closed surfaces enclose a point. */
+typedef struct {
+  size_t count;
+  bool consistent; /* in each of them, directions cancel on every segment */
+  int sum;         /* how often a ray leaves less how often it enters, over all of them */
+  size_t below;    /* so many of them have a sum below 0 */
+  bool alone;      /* no closed surface encloses the point by triangles of other parts */
+  bool in_turn;    /* they do not touch each other, and are wound outwards, inwards, ... from the
+                      outermost one on, an even number of them */
+} walls;
+
+/* Find them by the crossings of a ray from the point with all triangles. */
+void find_walls(walls *w, const surfaces *f, const division *d, const int8_t *crossing);
 
 #endif

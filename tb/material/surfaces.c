@@ -83,13 +83,6 @@ static void add_row(surfaces *f, const int *entry) {
   }
 }
 
-static size_t root(surfaces *f, size_t i) {
-  while (f->block[i] != i) {
-    i = f->block[i] = f->block[f->block[i]];
-  }
-  return i;
-}
-
 static void widen(surfaces *f, point p) {
   for (int i = 0; i < 3; i++) {
     f->low.x[i] = f->closed || p.x[i] < f->low.x[i] ? p.x[i] : f->low.x[i];
@@ -131,55 +124,6 @@ static void add_line(void *context, const line *l) {
   }
 }
 
-/* A triangle is in no closed surface if its factor is 0 in all of them: the functional that is 1 at
- * this triangle is a combination of rows. */
-static void find_used(surfaces *f) {
-  size_t count = f->s->count;
-  for (size_t i = 0; i < count; i++) {
-    uint64_t v[MOST] = {0};
-    uint64_t v_of_2[WORDS] = {0};
-    v[i] = 1;
-    v_of_2[i / 64] = UINT64_C(1) << (i % 64);
-    f->used[i] = reduce(f, v, count) < count || reduce_of_2(f, v_of_2) < MOST;
-  }
-}
-
-/* Join the triangles along the segments of a line. */
-static void join_line(void *context, const line *l) {
-  surfaces *f = context;
-  for (size_t n = 0; n + 1 < l->cuts; n++) {
-    int sum = 0;
-    size_t one = MOST;
-    for (size_t i = 0; i < l->edges; i++) {
-      const edge *e = &l->edge[i];
-      if (f->used[e->of] && runs_along(e, l, n)) {
-        sum += e->sign;
-        one = one == MOST ? root(f, e->of) : one;
-        f->block[root(f, e->of)] = one;
-      }
-    }
-    if (sum != 0) {
-      f->signed_in[one] = false;
-    }
-  }
-}
-
-static void find_blocks(surfaces *f) {
-  size_t count = f->s->count;
-  for (size_t i = 0; i < count; i++) {
-    f->block[i] = i;
-    f->signed_in[i] = true;
-  }
-  for_each_line(f->s, join_line, f);
-  for (size_t i = 0; i < count; i++) {
-    size_t block = root(f, i);
-    f->signed_in[block] = f->signed_in[block] && f->signed_in[i];
-  }
-  for (size_t i = 0; i < count; i++) {
-    f->block[i] = root(f, i);
-  }
-}
-
 void find_surfaces(surfaces *f, const soup *s) {
   *f = (surfaces){.s = s, .closed = true, .consistent = true};
   f->row = calloc(s->count, sizeof *f->row);
@@ -188,13 +132,36 @@ void find_surfaces(surfaces *f, const soup *s) {
     abort();
   }
   for_each_line(s, add_line, f);
-  find_used(f);
-  find_blocks(f);
 }
 
 void free_surfaces(surfaces *f) {
   free(f->row);
   free(f->row_of_2);
+}
+
+bool draw_surface(const surfaces *f, bool *in, generator *g) {
+  size_t count = f->s->count;
+  size_t loose = 0; /* triangles that may be chosen; the rows then give the others */
+  for (size_t c = 0; c < count; c++) {
+    in[c] = false;
+    loose += !f->has_row_of_2[c];
+  }
+  if (loose == 0) {
+    return false;
+  }
+  int64_t chosen = draw(g, 0, (int64_t)loose - 1);
+  int64_t another = one_in(g, 3) ? draw(g, 0, (int64_t)loose - 1) : chosen;
+  for (size_t c = count; c-- > 0;) {
+    if (!f->has_row_of_2[c]) {
+      loose--;
+      in[c] = (int64_t)loose == chosen || (int64_t)loose == another;
+      continue;
+    }
+    for (size_t k = c + 1; k < count; k++) {
+      in[c] ^= in[k] && (f->row_of_2[c][k / 64] >> (k % 64) & 1) != 0;
+    }
+  }
+  return true;
 }
 
 /* The crossing of a ray and a triangle. False if the ray may meet an edge or a corner. */
@@ -226,30 +193,28 @@ static bool cross_triangle(const triangle *t, point p, point ray, int8_t *crossi
   return true;
 }
 
-void find_crossings(enclosure *e, const soup *s, point p, generator *g) {
-  *e = (enclosure){.enclosed = false};
+void find_crossings(int8_t *crossing, const soup *s, point p, generator *g) {
   for (size_t i = 0; i < s->count;) {
     point ray = {{0, 0, 0}};
     for (int k = 0; k < 3; k++) {
       ray.x[k] = draw(g, -1000, 1000);
     }
     for (i = 0; i < s->count; i++) {
-      e->crossing[i] = 0;
-      if (!is_zero(normal(s->t[i].v)) && !cross_triangle(&s->t[i], p, ray, &e->crossing[i])) {
+      crossing[i] = 0;
+      if (!is_zero(normal(s->t[i].v)) && !cross_triangle(&s->t[i], p, ray, &crossing[i])) {
         break; /* another ray */
       }
     }
   }
 }
 
-void find_enclosure(enclosure *e, const surfaces *f, size_t block) {
+bool is_enclosed(const surfaces *f, const int8_t *crossing) {
+  size_t count = f->s->count;
   uint64_t v[MOST];
   uint64_t v_of_2[WORDS] = {0};
-  for (size_t i = 0; i < f->s->count; i++) {
-    int crossing = block == MOST || f->block[i] == block ? e->crossing[i] : 0;
-    v[i] = crossing < 0 ? prime - 1 : (uint64_t)crossing;
-    v_of_2[i / 64] |= (uint64_t)(crossing & 1) << (i % 64);
+  for (size_t i = 0; i < count; i++) {
+    v[i] = crossing[i] < 0 ? prime - 1 : (uint64_t)crossing[i];
+    v_of_2[i / 64] |= (uint64_t)(crossing[i] & 1) << (i % 64);
   }
-  e->enclosed = reduce(f, v, f->s->count) < f->s->count;
-  e->enclosed_of_2 = reduce_of_2(f, v_of_2) < MOST;
+  return reduce(f, v, count) < count || reduce_of_2(f, v_of_2) < MOST;
 }

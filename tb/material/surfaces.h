@@ -23,27 +23,24 @@ typedef struct {
   uint64_t (*row)[MOST];       /* row[c] has its first number other than 0, which is 1, at c */
   uint64_t (*row_of_2)[WORDS]; /* the same modulo 2, a bit for each triangle */
   bool has_row[MOST], has_row_of_2[MOST];
-  bool closed;          /* every segment has an even number of triangle edges */
-  bool consistent;      /* on every segment the directions differ in number by at most 1 */
-  bool used[MOST];      /* the triangle is in some closed surface */
-  size_t block[MOST];   /* triangles that are used and run along one segment belong to one block;
-                           its number is that of one of its triangles */
-  bool signed_in[MOST]; /* of a block: on every segment, directions cancel */
-  point low, high;      /* the box of all segments with an odd number of edges, if not closed */
+  bool closed;     /* every segment has an even number of triangle edges */
+  bool consistent; /* on every segment the directions differ in number by at most 1 */
+  point low, high; /* the box of all segments with an odd number of edges, if not closed */
 } surfaces;
-
-/* How a point lies to the closed surfaces. */
-typedef struct {
-  int8_t crossing[MOST]; /* 1 if a ray leaves through the triangle, -1 if it enters, else 0 */
-  bool enclosed;         /* by an integer surface */
-  bool enclosed_of_2;    /* by a surface modulo 2 */
-} enclosure;
 
 void find_surfaces(surfaces *f, const soup *s);
 void free_surfaces(surfaces *f);
 
-/* The point must lie on no triangle. Only triangles of one block count, or all if block is MOST. */
-void find_crossings(enclosure *e, const soup *s, point p, generator *g);
-void find_enclosure(enclosure *e, const surfaces *f, size_t block);
+/* Draw a closed surface modulo 2: the triangles that it has. False if there is only the empty one.
+ */
+bool draw_surface(const surfaces *f, bool *in, generator *g);
+
+/* Find how a ray from a point, in a direction in which it meets no edge, crosses each triangle: 1
+ * if it leaves on the outer side, -1 if it enters there, else 0. The point must lie on no triangle.
+ */
+void find_crossings(int8_t *crossing, const soup *s, point p, generator *g);
+
+/* Does a closed surface, of integer factors or modulo 2, enclose the point with these crossings? */
+bool is_enclosed(const surfaces *f, const int8_t *crossing);
 
 #endif
