@@ -43,6 +43,17 @@ void close_subject(subject *s) {
   free_surfaces(&s->found);
 }
 
+static bool has_area_everywhere(const soup *s) {
+  for (size_t i = 0; i < s->count; i++) {
+    if (is_zero(normal(s->t[i].v))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+enum { FEW = 48 }; /* triangles, of which each pair is looked at */
+
 judgement judge_shell(const subject *s) {
   if (s->shell.closed != s->found.closed) {
     return (judgement){WRONG,
@@ -54,6 +65,12 @@ judgement judge_shell(const subject *s) {
   }
   if (s->shell.parts != s->parts.count) {
     return (judgement){WRONG, "another number of parts"};
+  }
+  if (s->b->s.count <= FEW && has_area_everywhere(&s->b->s)) {
+    size_t piece[MOST];
+    if (s->shell.pieces != find_pieces(&s->b->s, &s->parts, piece)) {
+      return (judgement){WRONG, "another number of pieces"};
+    }
   }
   return (judgement){OUTSIDE, NULL};
 }
@@ -198,7 +215,6 @@ judgement judge_point(const subject *s, point p) {
   if (other != SEPAX_OUTSIDE && s->found.closed) {
     j = (judgement){WRONG, "the body is not outside of the probe"};
   }
-  j.is = j.is == LOST && known != NOT_KNOWN ? WRONG : j.is;
   return j;
 }
 

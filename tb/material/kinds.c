@@ -298,27 +298,82 @@ static void draw_bad_cells(body *b, generator *g) {
 
 /* -------------------------------------------------------- many edges on one line */
 
-/* Simplices that have an edge on one line: long and short edges that share vertices. */
+/* Triangles from the points of a line to an apex: from point `from` to `to`, with some or none of
+ * the points between them. */
+static void add_fan(soup *s, const point *on, int64_t from, int64_t to, point apex, bool turned,
+                    generator *g) {
+  int64_t chance = draw(g, 1, 4);
+  int64_t last = from;
+  for (int64_t next = from + 1; next <= to; next++) {
+    if (next == to || draw(g, 1, 4) > chance) {
+      add(s, on[turned ? next : last], on[turned ? last : next], apex);
+      last = next;
+    }
+  }
+}
+
+/* Simplices that have an edge on one line. Each of their two faces there is one triangle, or a fan
+ * to some points of the line. So long and short edges share vertices, and many have one triangle.
+ */
 static void draw_staggered(body *b, generator *g) {
   point ways[3] = {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 1}}};
   point way = ways[draw(g, 0, 2)];
   point off[4];
+  point on[6];
   for (int k = 0; k < 4; k++) {
     off[k] = grid_point(g, 3);
   }
-  int64_t vertices = draw(g, 3, 5);
-  for (int64_t n = draw(g, 2, 6); n > 0; n--) {
+  for (int k = 0; k < 6; k++) {
+    on[k] = times(way, UNIT * k);
+  }
+  int64_t vertices = draw(g, 3, 6);
+  for (int64_t n = draw(g, 1, 5); n > 0; n--) {
     int64_t from = draw(g, 0, vertices - 2);
     int64_t to = draw(g, from + 1, vertices - 1);
     int64_t first = draw(g, 0, 3);
-    const point p[4] = {times(way, UNIT * from), times(way, UNIT * to), off[first],
-                        off[(first + draw(g, 1, 3)) % 4]};
-    add_simplex(&b->s, p, one_in(g, 2));
+    point p = off[first];
+    point q = off[(first + draw(g, 1, 3)) % 4];
+    bool turned = one_in(g, 2);
+    add_fan(&b->s, on, from, to, p, turned, g);
+    add_fan(&b->s, on, from, to, q, !turned, g);
+    add(&b->s, on[from], turned ? q : p, turned ? p : q);
+    add(&b->s, on[to], turned ? p : q, turned ? q : p);
   }
-  if (one_in(g, 2)) {
+  if (one_in(g, 3)) {
     cancel(&b->s, one_in(g, 3));
   }
   if (one_in(g, 2)) {
+    turn_some(&b->s, g);
+  }
+}
+
+/* Tetrahedra that overlap and have edges on one line. Each face there is divided at few points of
+ * the line, which several share: at such a point, edges of two tetrahedra end and others begin. */
+static void draw_ladders(body *b, generator *g) {
+  point on[6];
+  int64_t vertices = draw(g, 4, 6);
+  for (int k = 0; k < 6; k++) {
+    on[k] = (point){{UNIT * k, 0, 0}};
+  }
+  for (int64_t n = draw(g, 2, 4); n > 0; n--) {
+    int64_t from = draw(g, 0, vertices / 2 - 1);
+    int64_t to = draw(g, vertices / 2 + 1, vertices - 1);
+    point apex[2] = {{{draw(g, 0, 60), draw(g, -3, 6), draw(g, 30, 40)}},
+                     {{draw(g, 0, 60), draw(g, 30, 40), draw(g, -3, 6)}}};
+    bool turned = one_in(g, 2);
+    for (int side = 0; side < 2; side++) {
+      bool whole = one_in(g, 2);
+      int64_t middle = whole || one_in(g, 4) ? draw(g, from + 1, to) : vertices / 2;
+      bool back = turned != (side != 0);
+      int64_t points[3] = {from, whole ? to : middle, to};
+      for (int k = 0; k < 2 && points[k] < points[k + 1]; k++) {
+        add(&b->s, on[points[back ? k + 1 : k]], on[points[back ? k : k + 1]], apex[side]);
+      }
+    }
+    add(&b->s, on[from], apex[turned ? 1 : 0], apex[turned ? 0 : 1]);
+    add(&b->s, on[to], apex[turned ? 0 : 1], apex[turned ? 1 : 0]);
+  }
+  if (one_in(g, 4)) {
     turn_some(&b->s, g);
   }
 }
@@ -458,9 +513,9 @@ static const row list[] = {
     {"rows", draw_rows, false},           {"nested", draw_nested, false},
     {"walls", draw_walls, false},         {"fins", draw_fins, false},
     {"bad-cells", draw_bad_cells, false}, {"staggered", draw_staggered, false},
-    {"sums", draw_sums, false},           {"cones", draw_cones, false},
-    {"surfaces", draw_surfaces, false},   {"open", draw_open, false},
-    {"mixed", draw_mixed, false},
+    {"ladders", draw_ladders, false},     {"sums", draw_sums, false},
+    {"cones", draw_cones, false},         {"surfaces", draw_surfaces, false},
+    {"open", draw_open, false},           {"mixed", draw_mixed, false},
 };
 enum { KINDS = sizeof list / sizeof *list };
 

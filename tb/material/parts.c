@@ -91,9 +91,55 @@ void find_parts(division *d, const soup *s) {
   find_open_box(d, s);
 }
 
+static bool boxes_touch(const triangle *a, const triangle *b) {
+  for (int i = 0; i < 3; i++) {
+    int64_t low[2] = {a->v[0].x[i], b->v[0].x[i]};
+    int64_t high[2] = {low[0], low[1]};
+    for (int k = 1; k < 3; k++) {
+      const int64_t x[2] = {a->v[k].x[i], b->v[k].x[i]};
+      for (int n = 0; n < 2; n++) {
+        low[n] = x[n] < low[n] ? x[n] : low[n];
+        high[n] = x[n] > high[n] ? x[n] : high[n];
+      }
+    }
+    if (low[0] > high[1] || low[1] > high[0]) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static size_t root_of(size_t *piece, size_t i) {
+  while (piece[i] != i) {
+    i = piece[i] = piece[piece[i]];
+  }
+  return i;
+}
+
+size_t find_pieces(const soup *s, const division *d, size_t *piece) {
+  size_t count = 0;
+  memcpy(piece, d->part, sizeof d->part);
+  for (size_t i = 0; i < s->count; i++) {
+    for (size_t j = 0; j < i && !is_zero(normal(s->t[i].v)); j++) {
+      size_t a = root_of(piece, i);
+      size_t b = root_of(piece, j);
+      if (a != b && boxes_touch(&s->t[i], &s->t[j]) && !is_zero(normal(s->t[j].v)) &&
+          triangles_touch(&s->t[i], &s->t[j])) {
+        piece[a] = b;
+      }
+    }
+  }
+  for (size_t i = 0; i < s->count; i++) {
+    count += piece[i] == i;
+    piece[i] = root_of(piece, i);
+  }
+  return count;
+}
+
 /* A part that encloses the point. */
 typedef struct {
   soup s;
+  size_t part;
   int sum;
   point low, high;
 } wall;
@@ -116,25 +162,13 @@ static bool is_round(const wall *a, const wall *b) {
   return round;
 }
 
-static bool walls_touch(const wall *a, const wall *b) {
-  for (size_t i = 0; i < a->s.count; i++) {
-    for (size_t j = 0; j < b->s.count; j++) {
-      const triangle *t = &a->s.t[i];
-      const triangle *u = &b->s.t[j];
-      if (!is_zero(normal(t->v)) && !is_zero(normal(u->v)) && triangles_touch(t, u)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
 /* Fill in a wall. False if the part does not enclose the point. */
 static bool find_wall(wall *w, const soup *s, const division *d, size_t part,
                       const int8_t *crossing, bool *consistent) {
   surfaces own;
   int8_t crossing_own[MOST];
   w->s.count = 0;
+  w->part = part;
   w->sum = 0;
   for (size_t i = 0; i < s->count; i++) {
     if (d->part[i] == part) {
@@ -152,7 +186,7 @@ static bool find_wall(wall *w, const soup *s, const division *d, size_t part,
 }
 
 /* Do the walls follow each other as those round a cavity do? */
-static bool alternate(const wall *w, size_t count) {
+static bool alternate(const wall *w, size_t count, const size_t *piece) {
   for (size_t i = 0; i < count; i++) {
     size_t outer = 0;
     for (size_t j = 0; j < count; j++) {
@@ -160,7 +194,7 @@ static bool alternate(const wall *w, size_t count) {
       if (i != j && !in && !is_round(&w[i], &w[j])) {
         return false;
       }
-      if (j < i && walls_touch(&w[i], &w[j])) {
+      if (i != j && piece[w[i].part] == piece[w[j].part]) {
         return false;
       }
       outer += in;
@@ -194,5 +228,9 @@ void find_walls(walls *found, const surfaces *f, const division *d, const int8_t
     }
   }
   found->alone = !is_enclosed(f, rest);
-  found->in_turn = found->consistent && alternate(w, found->count);
+  if (found->consistent && found->sum == 0 && found->count > 0) {
+    size_t piece[MOST];
+    find_pieces(f->s, d, piece);
+    found->in_turn = alternate(w, found->count, piece);
+  }
 }

@@ -16,6 +16,10 @@ typedef struct {
 
 void find_parts(division *d, const soup *s);
 
+/* piece[i] is the number of the piece of triangle i: parts that touch each other are one. Triangles
+ * without area touch nothing. Return how many pieces there are. Cost: each pair of triangles. */
+size_t find_pieces(const soup *s, const division *d, size_t *piece);
+
 /* The parts of which closed surfaces enclose a point. */
 typedef struct {
   size_t count;
@@ -23,7 +27,7 @@ typedef struct {
   int sum;         /* how often a ray leaves less how often it enters, over all of them */
   size_t below;    /* so many of them have a sum below 0 */
   bool alone;      /* no closed surface encloses the point by triangles of other parts */
-  bool in_turn;    /* they do not touch each other, and are wound outwards, inwards, ... from the
+  bool in_turn;    /* they are in different pieces, and are wound outwards, inwards, ... from the
                       outermost one on, an even number of them */
 } walls;
 
