@@ -87,9 +87,10 @@ include $(addprefix scripts/make/,install.mk python.mk quality.mk)
 # The names that `make experiment` takes; scripts/make has the rules of some.
 EXPERIMENTS = accuracy area-sweep bench bench-bodies bench-meshes bench-python by-hand calibrate \
               clearance cocotb compare-meshes corpus coverage distances driver engine-sweep \
-              estimate exhaustive fuzz guard guard-time hard impeller machine multivt mutation \
-              mutation-c netlist-sweep packages path-campaign posed-pairs proofs random-designs \
-              sanitize scene slurm static tree-campaign tree-fuzz tree-scene tree-sweep verify
+              estimate exhaustive fuzz guard guard-time hard impeller machine material multivt \
+              mutation mutation-c netlist-sweep packages path-campaign posed-pairs proofs \
+              random-designs sanitize scene slurm static tree-campaign tree-fuzz tree-scene \
+              tree-sweep verify
 
 .PHONY: all job help help-all build setup test experiment $(EXPERIMENTS:%=experiment-%) \
         reference clean paper area timing power fpga layout report \
@@ -287,6 +288,9 @@ experiment-posed-pairs: $(BUILD)/posed-pairs
 
 experiment-distances: $(BUILD)/distances
 	@$(EXPERIMENT)/distances $< $(if $(call given,COUNT),$(COUNT),1000000) $(SEED)
+
+experiment-material: $(BUILD)/material
+	@$< --bodies=$(if $(call given,COUNT),$(COUNT),100000) --seed=$(SEED)
 
 # A folder of real meshes, if there is one.
 MESH_DIR ?= $(wildcard ../shared/meshes)
