@@ -546,8 +546,9 @@ typedef struct {
                         points, lies on an even number of triangle edges */
   bool consistent;   /* no triangle is turned round: at every point of the edges, except for a
                         finite number of points, as many edges run in one direction as in the
-                        other. If an odd number of edges meets there, then the two numbers differ
-                        by 1 */
+                        other. Of a body that is not closed it only says: of the edges that end at
+                        a vertex on one line, at most one more runs to it than from it, or from it
+                        than to it */
   size_t facet;      /* if `closed` or `consistent` is false: a triangle, not without area, with an
                         edge that breaks the rule of that field */
   double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
