@@ -371,7 +371,7 @@ static bool visit_vertex(wheel *w, uint32_t at, arm *arms) {
 static bool add_run(wheel *w, const direction *along, uint32_t at, const spoke *run, size_t count) {
   for (size_t n = 0; n < count; n++) {
     const uint32_t edge = run[n].edge >> 1;
-    if (w->s->walked[edge]) {
+    if (w->s->walked[edge] != 0) {
       continue;
     }
     stretch *grown = list_grow(w->line, &w->line_capacity, w->stretches, sizeof *grown);
@@ -384,7 +384,7 @@ static bool add_run(wheel *w, const direction *along, uint32_t at, const spoke *
     const double q = w->s->vertex[higher][along->axis];
     w->line = grown;
     w->line[w->stretches++] = (stretch){p < q ? p : q, p < q ? q : p, edge, lower, p < q, 0};
-    w->s->walked[edge] = true;
+    w->s->walked[edge] = EDGE_WALKED;
     if (!push(&w->stack, &w->depth, &w->stack_capacity, run[n].other)) {
       return false;
     }
@@ -468,20 +468,36 @@ static void find_flows(wheel *w) {
   }
 }
 
-/* Join triangles that have the same factor. */
+/* Join a triangle, which is alone at its edge, to others that have the same factor. */
 static void join_alike(wheel *w, const stretch *e, const edge_sum *sum) {
-  uint32_t *sheet = w->s->sheet;
-  if (e->flow == 0) {
-    if (sum->triangles == 2 && sum->turn == 0) {
-      join(sheet, sum->two[0], sum->two[1]);
+  const bool minus = (sum->turn > 0) == e->up ? e->flow < 0 : e->flow > 0;
+  uint32_t *alike = &w->alike[abs(e->flow) - 1][minus];
+  if (*alike > 0) {
+    join(w->s->sheet, *alike - 1, sum->two[0]);
+  }
+  *alike = sum->two[0] + 1;
+}
+
+/* Join what the flows say of a line's triangles: which are alike, and which may form a surface
+ * together. */
+static void join_line(wheel *w) {
+  surface *s = w->s;
+  const stretch *last = NULL;
+  for (size_t n = 0; n < w->stretches; n++) {
+    const stretch *e = &w->line[n];
+    if (e->flow == 0) {
+      continue;
     }
-  } else if (e->flow != UNKNOWN && sum->triangles == 1) {
-    const bool minus = (sum->turn > 0) == e->up ? e->flow < 0 : e->flow > 0;
-    uint32_t *alike = &w->alike[abs(e->flow) - 1][minus];
-    if (*alike > 0) {
-      join(sheet, *alike - 1, sum->two[0]);
+    const edge_uses at = edge_at(s, e->from, s->edge + e->edge);
+    const edge_sum sum = sum_edge(&at);
+    s->walked[e->edge] = EDGE_FLOWS;
+    if (e->flow != UNKNOWN && sum.triangles == 1) {
+      join_alike(w, e, &sum);
     }
-    *alike = sum->two[0] + 1;
+    if (last != NULL) {
+      join(s->entangled, triangle_at(s->edge + last->edge), sum.two[0]);
+    }
+    last = e;
   }
 }
 
@@ -497,18 +513,7 @@ static bool walk_line(wheel *w) {
     }
     qsort(w->end, w->stretches, sizeof *w->end, compare_ends);
     find_flows(w);
-    const stretch *last = NULL;
-    for (size_t n = 0; n < w->stretches; n++) {
-      const stretch *e = &w->line[n];
-      const edge_uses at = edge_at(w->s, e->from, w->s->edge + e->edge);
-      const edge_sum sum = sum_edge(&at);
-      join_alike(w, e, &sum);
-      if (e->flow != 0) {
-        join(w->s->entangled, last != NULL ? triangle_at(w->s->edge + last->edge) : sum.two[0],
-             sum.two[0]);
-        last = e;
-      }
-    }
+    join_line(w);
   }
   sepax_release(w->end);
   sepax_release(w->alike);
@@ -530,7 +535,7 @@ static bool walk_lines(wheel *w) {
     for (uint32_t n = w->begin[at]; n + 1 < w->begin[at + 1] && ok; n++) {
       const direction p = spoke_direction(w, at, &w->spoke[n]);
       const direction q = spoke_direction(w, at, &w->spoke[n + 1]);
-      if (!s->walked[w->spoke[n].edge >> 1] && compare(&p, &q) == 0) {
+      if (s->walked[w->spoke[n].edge >> 1] == 0 && compare(&p, &q) == 0) {
         ok = gather_line(w, at, &w->spoke[n]) && walk_line(w);
       }
     }

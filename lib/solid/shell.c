@@ -180,8 +180,8 @@ static void join_triangles(const surface *s) {
       join(s->parent, triangle_at(at.edge), triangle_at(at.edge + n));
     }
     const edge_sum sum = sum_edge(&at);
-    const bool walked = s->walked != NULL && s->walked[at.edge - s->edge];
-    if (!walked && sum.triangles == 2 && sum.turn == 0) {
+    const bool flows = s->walked != NULL && s->walked[at.edge - s->edge] == EDGE_FLOWS;
+    if (!flows && sum.triangles == 2 && sum.turn == 0) {
       join(s->sheet, sum.two[0], sum.two[1]);
     }
   }

@@ -23,12 +23,16 @@ typedef struct {
   bool *open;          /* marks one triangle at each open edge */
   uint32_t *parent;    /* another triangle of the same part; the first of a part has itself */
   uint32_t *sheet;     /* another triangle of the same sheet likewise */
-  bool *walked;        /* marks the first use of each edge that lines.c has judged; NULL: none */
+  uint8_t *walked;     /* at the first use of each edge; NULL: 0 for all of them */
   uint32_t *entangled; /* another triangle at edges that overlap likewise; NULL: none do */
 } surface;
 
 /* Flag of a use of an edge: the triangle's corners are on one line. */
 #define EDGE_FLAT UINT32_C(0x80000000)
+
+/* What `walked` says of an edge: lines.c has walked along its line; and the factors of its
+ * triangles need not have the sum 0. */
+enum { EDGE_WALKED = 1, EDGE_FLOWS };
 
 /* Triangles at one edge, which begins at its lower vertex. */
 typedef struct {
