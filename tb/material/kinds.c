@@ -119,7 +119,7 @@ static void draw_nested(body *b, generator *g) {
       high.x[i] -= may_touch && one_in(g, 6) ? 0 : UNIT;
     }
   }
-  for (int64_t n = draw(g, 0, 2); n > 0; n--) { /* tetrahedra in the last one; overlapping, too */
+  for (int64_t n = draw(g, 0, 2); n > 0; n--) { /* tetrahedra in the last box; they may overlap */
     point p[4];
     for (int k = 0; k < 4; k++) {
       for (int i = 0; i < 3; i++) {
@@ -134,14 +134,14 @@ static void draw_nested(body *b, generator *g) {
   }
 }
 
-/* A face from one side, from both, or as a thin box. */
+/* A face from one side, or from both. */
 static void add_plate(soup *s, const point c[4], generator *g) {
-  point back[4] = {c[3], c[2], c[1], c[0]};
   int64_t sides = draw(g, 0, 3);
   if (sides != 1) {
     add_face(s, c, g);
   }
   if (sides != 0) {
+    const point back[4] = {c[3], c[2], c[1], c[0]};
     add_face(s, back, g);
   }
 }
@@ -316,7 +316,7 @@ static void add_fan(soup *s, const point *on, int64_t from, int64_t to, point ap
  * to some points of the line. So long and short edges share vertices, and many have one triangle.
  */
 static void draw_staggered(body *b, generator *g) {
-  point ways[3] = {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 1}}};
+  static const point ways[3] = {{{1, 0, 0}}, {{1, 1, 0}}, {{1, 2, 1}}};
   point way = ways[draw(g, 0, 2)];
   point off[4];
   point on[6];

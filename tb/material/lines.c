@@ -54,7 +54,7 @@ static int compare_places(const void *p, const void *q) {
 
 /* The ends of the edges in their order. */
 static void cut_line(line *l) {
-  place all[6 * MOST];
+  static place all[6 * MOST];
   size_t count = 0;
   for (size_t i = 0; i < l->edges; i++) {
     for (int k = 0; k < 2; k++) {

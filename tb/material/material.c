@@ -1,23 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /* material - what the library says about the inside of random bodies, against linear algebra.
- *   material [--bodies=N] [--seed=S] [--kind=K] [--from=N] [--points=N] [--lost] [--only=TEXT]
- * [--closed]
- *            [--shrink] [--write=PREFIX]
+ *   material [--bodies=N] [--seed=S] [--kind=K] [--from=N] [--points=N] [--lost] [--closed]
+ *            [--only=TEXT] [--shrink] [--write=PREFIX]
  *
  * Prints a line for each kind of body: bodies, points, and how many points are
  *   outside  OUTSIDE, and no closed surface that the triangles can form encloses them
  *   cavity   OUTSIDE in a cavity
  *   inside   INSIDE
  *   unknown  UNKNOWN where the rule says nothing else
- *   lost     UNKNOWN though the rule tells more; --lost prints them
- *   wrong    an answer that is wrong. Fields of a shell count here, too.
- * and then how often each reason was given. A wrong answer is printed with the options that make
- * its body again (--bodies=1 with them).
- * --only shows the answers whose reason has the text,
- * --closed those on closed bodies. --shrink leaves out triangles as long as the
- * answer is wrong in the same way, and prints the triangles. --write writes PREFIX-body.stl and
- * PREFIX-probe.stl. Exit status 1: one is wrong,
- * or of a kind more than 1 % of the answers are lost. */
+ *   lost     UNKNOWN though the rule, applied to all closed surfaces, tells more
+ *   wrong    an answer that is wrong. A wrong field of a shell counts here, too.
+ * Then it prints how often each reason was given. A wrong answer is printed with the options that
+ * make its body again; add --bodies=1.
+ *
+ *   --lost       print lost answers, too
+ *   --closed     print only answers about closed bodies
+ *   --only=TEXT  print only answers whose reason has the text
+ *   --shrink     leave out triangles as long as the answer stays wrong for the same reason, and
+ *                print the triangles
+ *   --write      write PREFIX-body.stl and PREFIX-probe.stl
+ *
+ * Exit status 1: an answer is wrong, or of a kind more than 1 % of the answers are lost. */
 #include "judge.h"
 #include "touch.h"
 
@@ -56,7 +59,7 @@ static point draw_point(const soup *s, generator *g) {
   point p;
   int64_t how = draw(g, 0, 3);
   int64_t reach = one_in(g, 2) ? FINE / 4 : 4 * FINE;
-  int64_t part[2] = {draw(g, 0, 16), draw(g, 0, 16)};
+  const int64_t part[2] = {draw(g, 0, 16), draw(g, 0, 16)};
   for (int i = 0; i < 3; i++) {
     int64_t low = t->v[0].x[i];
     int64_t high = low;
@@ -181,7 +184,7 @@ static void count_in(const options *o, tally *t, const subject *s, point p, judg
   }
   bool shown = j.is == WRONG || (o->lost && j.is == LOST);
   shown = shown && (!o->closed || closed);
-  if (shown && strstr(j.why, o->only) != NULL && t->shown++ < SHOWN) {
+  if (shown && j.why != NULL && strstr(j.why, o->only) != NULL && t->shown++ < SHOWN) {
     show(o, s->b, &s->where, p, j, closed, kind, number);
   }
 }

@@ -9,8 +9,8 @@
  * with B z = 0, that is, if w is no combination of rows of B over the rational numbers. Modulo 2
  * the same holds over the field of two numbers.
  *
- * Rational numbers are replaced by numbers modulo the prime 2^61 - 1. That differs only if the
- * prime divides a minor of a matrix with entries 0 and 1, whose minors here are tiny. */
+ * Numbers modulo the prime 2^61 - 1 stand for rational numbers. The answer differs only if the
+ * prime divides one of the few minors that elimination meets, in a matrix with small entries. */
 #ifndef MATERIAL_SURFACES_H
 #define MATERIAL_SURFACES_H
 
