@@ -143,7 +143,8 @@ $(BUILD)/bench_batch: $(call object,tb/benchmark/batch.c) $(LIB)
 $(BUILD)/clearance-pairs: $(call object,tb/pairs/clearance.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/posed-pairs: $(call object,tb/pairs/posed.c) $(ORACLE_OBJ) $(LIB)
 $(BUILD)/distances: $(call object,$(wildcard tb/pairs/distances/*.c)) $(ORACLE_OBJ) $(LIB)
-$(BUILD)/material: $(call object,$(wildcard tb/material/*.c)) $(LIB)
+$(BUILD)/material: $(call object,$(wildcard tb/material/*.c)) \
+          $(filter-out %/check.o,$(CHECKER_OBJ)) $(LIB)
 $(BUILD)/stock-trial: $(call object,$(wildcard tb/stock/*.c)) $(LIB)
 $(BUILD)/hard-pairs: $(call object,tb/pairs/hard.c) $(LIB)
 $(BUILD)/refine: $(call object,tb/tree_engine/sweep/refine.c) $(LIB)
@@ -156,7 +157,7 @@ $(BUILD)/layout: $(LAYOUT_OBJ)
 $(BUILD)/liberty $(BUILD)/layout: LIBS = -ljansson
 $(BUILD)/power: LIBS = -ljansson $(IO_LIBS)
 $(SEPAX): LIBS = -ljansson $(IO_LIBS) $(if $(with_md),-lmd)
-$(BUILD)/sepax-certificate-check: LIBS = -ljansson -lxml2 -lzip -lmd
+$(BUILD)/sepax-certificate-check $(BUILD)/material: LIBS = -ljansson -lxml2 -lzip -lmd
 $(CHECKER_OBJ): SEPAX_CFLAGS += $(XML_CFLAGS)
 $(BUILD)/clearance-pairs $(BUILD)/posed-pairs $(BUILD)/distances: LIBS = -lgmp
 $(SEPAX) $(addprefix $(BUILD)/,bench_batch layout liberty power refine) \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "judge.h"
 
+#include "checker.h"
 #include "touch.h"
 
 #include <stdio.h>
@@ -26,6 +27,21 @@ static void make_body(const placing *where, int which, const triangle *t, size_t
   need(sepax_shell_find(shell, *solid, &error), &error);
 }
 
+/* For the checker: where the bodies lie, without the poses, which move both. */
+static struct checker_body *make_checked(const placing *where, const triangle *t, size_t count) {
+  static sepax_facet facet[MOST];
+  static double corner[MOST][3][3];
+  const placing still = {.exponent = where->exponent,
+                         .offset = where->offset,
+                         .from = {{0, 1, 2}, {0, 1, 2}},
+                         .way = {{1, 1, 1}, {1, 1, 1}}};
+  place(&still, 0, t, count, facet);
+  for (size_t n = 0; n < count; n++) {
+    memcpy(corner[n], facet[n].v, sizeof corner[n]);
+  }
+  return checker_open((const double(*)[3][3])corner, count);
+}
+
 void open_subject(subject *s, const body *b, const placing *where) {
   s->b = b;
   s->where = *where;
@@ -35,11 +51,13 @@ void open_subject(subject *s, const body *b, const placing *where) {
   find_surfaces(&s->found, &b->s);
   find_parts(&s->parts, &b->s);
   make_body(where, 0, b->s.t, b->s.count, &s->solid, &s->shell);
+  s->checked = make_checked(where, b->s.t, b->s.count);
 }
 
 void close_subject(subject *s) {
   sepax_shell_free(&s->shell);
   sepax_body_free(s->solid);
+  checker_close(s->checked);
   free_surfaces(&s->found);
 }
 
@@ -196,6 +214,25 @@ static judgement judge_unknown(const subject *s, const standing *at, point p) {
   return (judgement){LOST, why};
 }
 
+/* The checker proves less than the library finds, and nothing that is wrong. */
+static judgement judge_checker(const subject *s, const standing *at, point p, sepax_inside said,
+                               bool outside) {
+  static soup probe;
+  probe_soup(p, &probe);
+  struct checker_body *own = make_checked(&s->where, probe.t, probe.count);
+  const bool proved = checker_proves_outside(s->checked, own);
+  checker_close(own);
+  if (proved && at->enclosed && at->rule != SEPAX_OUTSIDE) {
+    return (judgement){WRONG, "the checker proves OUTSIDE, but a surface encloses it"};
+  }
+  if (proved && said == SEPAX_INSIDE) {
+    return (judgement){WRONG, "INSIDE, but the checker proves OUTSIDE"};
+  }
+  return !proved && outside
+             ? (judgement){REFUSED, at->enclosed ? "a cavity" : "no surface encloses it"}
+             : (judgement){OUTSIDE, NULL};
+}
+
 judgement judge_point(const subject *s, point p) {
   /* Rays of its own: the points that are drawn do not depend on answers. */
   generator own = {(uint64_t)(p.x[0] ^ p.x[1] << 20 ^ p.x[2] << 40)};
@@ -215,7 +252,12 @@ judgement judge_point(const subject *s, point p) {
   if (other != SEPAX_OUTSIDE && s->found.closed) {
     j = (judgement){WRONG, "the body is not outside of the probe"};
   }
-  return j;
+  if (j.is == WRONG) {
+    return j;
+  }
+  const bool outside = said == SEPAX_OUTSIDE && other == SEPAX_OUTSIDE;
+  const judgement proof = judge_checker(s, &at, p, said, outside);
+  return proof.is == OUTSIDE ? j : proof;
 }
 
 void write_subject(const subject *s, point p, const char *prefix) {

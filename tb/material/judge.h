@@ -13,6 +13,7 @@ typedef enum {
   INSIDE,
   UNKNOWN, /* and the rule says so, too */
   LOST,    /* UNKNOWN although the rule tells more */
+  REFUSED, /* OUTSIDE, and sepax-certificate-check does not prove it */
   WRONG,
   OUTCOMES
 } outcome;
@@ -30,6 +31,7 @@ typedef struct {
   division parts;
   sepax_body *solid;
   sepax_shell shell;
+  struct checker_body *checked; /* the same body, for the checker */
 } subject;
 
 /* Ends the program if the library fails. */

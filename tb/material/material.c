@@ -9,11 +9,13 @@
  *   inside   INSIDE
  *   unknown  UNKNOWN where the rule says nothing else
  *   lost     UNKNOWN though the rule, applied to all closed surfaces, tells more
- *   wrong    an answer that is wrong. A wrong field of a shell counts here, too.
+ *   refused  OUTSIDE, but sepax-certificate-check does not prove it
+ *   wrong    an answer that is wrong, of the library or of the checker. A wrong field of a shell
+ *            counts here, too.
  * Then it prints how often each reason was given. A wrong answer is printed with the options that
  * make its body again; add --bodies=1.
  *
- *   --lost       print lost answers, too
+ *   --lost       print lost and refused answers, too
  *   --closed     print only answers about closed bodies
  *   --only=TEXT  print only answers whose reason has the text
  *   --shrink     leave out triangles as long as the answer stays wrong for the same reason, and
@@ -33,6 +35,9 @@
 #include <unistd.h>
 
 enum { SHOWN = 8 }; /* answers of a kind that are printed */
+
+static const char *const outcome_names[OUTCOMES] = {"outside", "cavity",  "inside", "unknown",
+                                                    "lost",    "refused", "wrong"};
 
 typedef struct {
   uint64_t bodies, seed, from, points;
@@ -152,8 +157,8 @@ static void show(const options *o, const body *b, const placing *where, point p,
   static body small;
   placing place_of = *where;
   small = *b;
-  printf("%s --kind=%s --seed=%" PRIu64 " --from=%" PRIu64 ": %s\n",
-         j.is == WRONG ? "WRONG" : "lost", kind_name(kind), o->seed, number, j.why);
+  printf("%s --kind=%s --seed=%" PRIu64 " --from=%" PRIu64 ": %s\n", outcome_names[j.is],
+         kind_name(kind), o->seed, number, j.why);
   if (o->shrink) {
     for (int k = 0; k < 2; k++) {
       place_of.given[k] = where->given[k] == NULL ? NULL : &place_of.pose[k];
@@ -182,7 +187,7 @@ static void count_in(const options *o, tally *t, const subject *s, point p, judg
       break;
     }
   }
-  bool shown = j.is == WRONG || (o->lost && j.is == LOST);
+  bool shown = j.is == WRONG || (o->lost && (j.is == LOST || j.is == REFUSED));
   shown = shown && (!o->closed || closed);
   if (shown && j.why != NULL && strstr(j.why, o->only) != NULL && t->shown++ < SHOWN) {
     show(o, s->b, &s->where, p, j, closed, kind, number);
@@ -230,8 +235,11 @@ static void print_row(const char *name, const tally *t) {
 
 static bool print_table(const tally *of) {
   tally all = {0};
-  printf("%-10s %8s %9s %9s %9s %9s %9s %9s %9s\n", "kind", "bodies", "points", "outside", "cavity",
-         "inside", "unknown", "lost", "wrong");
+  printf("%-10s %8s %9s", "kind", "bodies", "points");
+  for (int k = 0; k < OUTCOMES; k++) {
+    printf(" %9s", outcome_names[k]);
+  }
+  printf("\n");
   bool few_lost = true;
   for (size_t kind = 0; kind < kinds(); kind++) {
     few_lost = few_lost && of[kind].of[LOST] * 100 <= of[kind].points;
@@ -246,8 +254,8 @@ static bool print_table(const tally *of) {
   }
   print_row("all", &all);
   for (size_t n = 0; n < REASONS && reasons[n].times > 0; n++) {
-    printf("%s %9" PRIu64 "  %s: %s\n", reasons[n].j.is == WRONG ? "wrong" : "lost ",
-           reasons[n].times, reasons[n].closed ? "closed" : "open", reasons[n].j.why);
+    printf("%-7s %9" PRIu64 "  %s: %s\n", outcome_names[reasons[n].j.is], reasons[n].times,
+           reasons[n].closed ? "closed" : "open", reasons[n].j.why);
   }
   return all.of[WRONG] == 0 && few_lost && all.points > 0;
 }
