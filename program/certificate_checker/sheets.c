@@ -12,6 +12,7 @@
 typedef struct {
   size_t node[2];
   size_t count;    /* of the triangles */
+  long turn;       /* how many more of them run from node[0] to node[1] than back */
   size_t side;     /* the place of one's side */
   size_t opposite; /* the place of a side that runs the other way; NONE */
   bool empty;      /* the wire carries nothing */
@@ -24,6 +25,7 @@ typedef struct {
   size_t nodes;
   wire *wire;
   size_t wires;
+  size_t *part; /* sets of triangles that have wires in common */
 } net;
 
 static int compare_sizes(size_t a, size_t b) { return (a > b) - (a < b); }
@@ -185,11 +187,16 @@ static void find_wires(net *g) {
   }
   qsort(all, sides, sizeof *all, compare_sides);
   g->wire = memory(NULL, sides, sizeof *g->wire);
+  g->part = memory(NULL, g->s->count, sizeof *g->part);
+  for (size_t n = 0; n < g->s->count; n++)
+    g->part[n] = n;
   for (size_t n = 0; n < sides; n++) {
     if (n == 0 || compare_sides(&all[n - 1], &all[n]) != 0)
-      g->wire[g->wires++] = (wire){{all[n].low, all[n].high}, 0, all[n].place, NONE, false};
+      g->wire[g->wires++] = (wire){{all[n].low, all[n].high}, 0, 0, all[n].place, NONE, false};
     wire *w = &g->wire[g->wires - 1];
     w->count++;
+    w->turn += g->node[all[n].place][0] == w->node[0] ? 1 : -1;
+    unite(g->part, w->side / 3, all[n].place / 3);
     if (g->node[all[n].place][0] != g->node[w->side][0])
       w->opposite = all[n].place;
   }
@@ -286,35 +293,36 @@ static void add_parts(sheets *made, const surface *s, size_t *up) {
   }
 }
 
-/* A part is closed where as much ends at each node as begins there. */
-static void find_parts(const net *g, sheets *made) {
-  size_t *up = memory(NULL, g->s->count, sizeof *up);
+/* Wires that carry something at one node are of one part. A part is closed if it brings as much to
+ * each node as it takes away; so does a wire that carries nothing, by itself. */
+static void find_parts(net *g, sheets *made) {
   size_t *first = memory(NULL, g->nodes, sizeof *first); /* a triangle at each node */
   long *sum = memory(NULL, g->nodes, sizeof *sum);
-  for (size_t n = 0; n < g->s->count; n++)
-    up[n] = n;
   for (size_t n = 0; n < g->nodes; n++) {
     first[n] = NONE;
     sum[n] = 0;
   }
-  for (size_t n = 0; n < 6 * g->s->count; n++) {
-    const size_t node = g->node[n / 2][n % 2];
-    if (node == NONE)
-      continue;
-    first[node] = first[node] == NONE ? n / 6 : first[node];
-    unite(up, n / 6, first[node]);
-    if (!is_flat(g, n / 6))
-      sum[node] += n % 2 == 0 ? -1 : 1;
+  for (size_t n = 0; n < g->wires; n++) {
+    const wire *w = &g->wire[n];
+    for (int end = 0; end < 2 && !w->empty; end++) {
+      const size_t node = w->node[end];
+      first[node] = first[node] == NONE ? w->side / 3 : first[node];
+      unite(g->part, w->side / 3, first[node]);
+      sum[node] += end == 0 ? -w->turn : w->turn;
+    }
   }
-  add_parts(made, g->s, up);
-  for (size_t n = 0; n < g->nodes; n++) {
-    part *of = &made->part[made->part_of[first[n]]];
-    of->open = of->open || sum[n] % 2 != 0;
-    of->twisted = of->twisted || sum[n] != 0;
+  add_parts(made, g->s, g->part);
+  for (size_t n = 0; n < g->wires; n++) {
+    const wire *w = &g->wire[n];
+    part *of = &made->part[made->part_of[w->side / 3]];
+    for (int end = 0; end < 2; end++) {
+      const long left = w->empty ? w->turn : sum[w->node[end]];
+      of->open = of->open || left % 2 != 0;
+      of->twisted = of->twisted || left != 0;
+    }
   }
   free(sum);
   free(first);
-  free(up);
 }
 
 sheets sheets_of(const surface *s) {
@@ -325,6 +333,7 @@ sheets sheets_of(const surface *s) {
   find_wires(&g);
   find_sheets(&g, made.sheet_of);
   find_parts(&g, &made);
+  free(g.part);
   free(g.wire);
   free(g.node);
   return made;

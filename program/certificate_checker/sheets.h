@@ -29,8 +29,8 @@
 
 #define FLAT ((size_t)-2)
 
-/* What hangs together by nodes: of each closed surface, the triangles that are in a part are closed
- * by themselves. */
+/* What hangs together by wires, and by nodes of wires that carry something: of each closed surface,
+ * the triangles that are in a part are closed by themselves. */
 typedef struct {
   size_t element;
   bool open;    /* at some place of a line there is an odd number of its triangles */
