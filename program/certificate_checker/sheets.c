@@ -10,7 +10,7 @@
 
 /* An edge, with the triangles that have it as a side and are not flat. */
 typedef struct {
-  size_t node[2];
+  size_t node[2], line[2];
   size_t count;    /* of the triangles */
   long turn;       /* how many more of them run from node[0] to node[1] than back */
   size_t side;     /* the place of one's side */
@@ -22,7 +22,8 @@ typedef struct {
 typedef struct {
   const surface *s;
   size_t (*node)[2]; /* of each place: where its side begins, where it ends; NONE: no length */
-  size_t nodes;
+  size_t (*line)[2]; /* likewise, the line through the vertex; a node may be several lines */
+  size_t nodes, lines;
   wire *wire;
   size_t wires;
   size_t *part; /* sets of triangles that have wires in common */
@@ -87,11 +88,16 @@ static int compare_spokes(const void *x, const void *y) {
   return compare_numbers(a->from, b->from); /* of one vertex */
 }
 
-/* All sides on a line have the same number, but for rounding. */
+static point side_at(const surface *s, size_t place) {
+  return point_minus(point_of(corner_at(s, next_corner(place))), point_of(corner_at(s, place)));
+}
+
+static long double most_of(point p) { return fmaxl(fabsl(p.x), fmaxl(fabsl(p.y), fabsl(p.z))); }
+
+/* All sides on a line have the same number, but for rounding; others may have it, too. */
 static spoke spoke_of(const surface *s, size_t place) {
-  const point d =
-      point_minus(point_of(corner_at(s, next_corner(place))), point_of(corner_at(s, place)));
-  const long double most = fmaxl(fabsl(d.x), fmaxl(fabsl(d.y), fabsl(d.z)));
+  const point d = side_at(s, place);
+  const long double most = most_of(d);
   const point by = {1, 0.6180339887498949L, 0.3247179572447461L};
   const long double number = fabsl(point_dot(d, by)) / most;
   /* Coordinates are wrong by 8 roundings of the radius at most, 2^-50 of it, so d by 2^-49. The
@@ -120,12 +126,40 @@ static spoke *by_vertex(spoke *all, size_t count, size_t vertices) {
   return sorted;
 }
 
+/* Are two sides with a common end on one line, but for rounding? */
+static bool one_line(const surface *s, size_t p, size_t q) {
+  const point a = side_at(s, p);
+  const point b = side_at(s, q);
+  const long double wrong = 0x1p-46L * (long double)s->radius; /* of a and of b, and more */
+  return most_of(point_cross(a, b)) <= wrong * (most_of(a) + most_of(b));
+}
+
+/* Number the lines of a node. If they are many, then some get several numbers: what is closed by
+ * numbers is closed by lines. */
+static void find_lines(net *g, const spoke *of, size_t count) {
+  enum { MANY = 16 };
+  size_t first[MANY];
+  size_t known = 0;
+  size_t more = 0;
+  for (size_t n = 0; n < count; n++) {
+    const size_t place = of[n].place_end / 2;
+    size_t k = 0;
+    while (k < known && !one_line(g->s, first[k], place))
+      k++;
+    if (k == known && known < MANY)
+      first[known++] = place;
+    g->line[place][of[n].place_end % 2] = g->lines + (k < MANY ? k : MANY + more++);
+  }
+  g->lines += known + more;
+}
+
 static void find_nodes(net *g) {
   const size_t places = 3 * g->s->count;
   size_t *vertex = find_vertices(g->s);
   spoke *all = memory(NULL, 2 * places, sizeof *all);
   size_t spokes = 0;
   g->node = memory(NULL, places, sizeof *g->node);
+  g->line = memory(NULL, places, sizeof *g->line);
   for (size_t n = 0; n < places; n++) {
     const size_t at[2] = {vertex[n], vertex[next_corner(n)]};
     g->node[n][0] = g->node[n][1] = NONE;
@@ -136,12 +170,17 @@ static void find_nodes(net *g) {
       all[spokes++] = (spoke){at[end], 2 * n + end, one.from, one.to};
   }
   all = by_vertex(all, spokes, places);
-  double reached = 0;
-  for (size_t n = 0; n < spokes; n++) {
-    const bool same = n > 0 && all[n].vertex == all[n - 1].vertex && all[n].from <= reached;
-    reached = same ? fmax(reached, all[n].to) : all[n].to;
-    g->nodes += !same;
-    g->node[all[n].place_end / 2][all[n].place_end % 2] = g->nodes - 1;
+  size_t next;
+  for (size_t first = 0; first < spokes; first = next) {
+    double reached = all[first].to;
+    for (next = first;
+         next < spokes && all[next].vertex == all[first].vertex && all[next].from <= reached;
+         next++) {
+      reached = fmax(reached, all[next].to);
+      g->node[all[next].place_end / 2][all[next].place_end % 2] = g->nodes;
+    }
+    find_lines(g, &all[first], next - first);
+    g->nodes++;
   }
   free(all);
   free(vertex);
@@ -176,6 +215,16 @@ static int compare_sides(const void *x, const void *y) {
   return order != 0 ? order : compare_sizes(a->high, b->high);
 }
 
+static wire wire_of(const net *g, size_t place) {
+  const size_t *node = g->node[place];
+  const size_t *line = g->line[place];
+  const bool back = node[0] > node[1];
+  return (wire){.node = {node[back], node[!back]},
+                .line = {line[back], line[!back]},
+                .side = place,
+                .opposite = NONE};
+}
+
 static void find_wires(net *g) {
   side *all = memory(NULL, 3 * g->s->count, sizeof *all);
   size_t sides = 0;
@@ -192,7 +241,7 @@ static void find_wires(net *g) {
     g->part[n] = n;
   for (size_t n = 0; n < sides; n++) {
     if (n == 0 || compare_sides(&all[n - 1], &all[n]) != 0)
-      g->wire[g->wires++] = (wire){{all[n].low, all[n].high}, 0, 0, all[n].place, NONE, false};
+      g->wire[g->wires++] = wire_of(g, all[n].place);
     wire *w = &g->wire[g->wires - 1];
     w->count++;
     w->turn += g->node[all[n].place][0] == w->node[0] ? 1 : -1;
@@ -293,22 +342,22 @@ static void add_parts(sheets *made, const surface *s, size_t *up) {
   }
 }
 
-/* Wires that carry something at one node are of one part. A part is closed if it brings as much to
- * each node as it takes away; so does a wire that carries nothing, by itself. */
+/* Wires that carry something at one node are of one part. A part is closed if along each line it
+ * brings as much to each vertex as it takes away; so does a wire that carries nothing, by itself.
+ */
 static void find_parts(net *g, sheets *made) {
   size_t *first = memory(NULL, g->nodes, sizeof *first); /* a triangle at each node */
-  long *sum = memory(NULL, g->nodes, sizeof *sum);
-  for (size_t n = 0; n < g->nodes; n++) {
+  long *sum = memory(NULL, g->lines, sizeof *sum);
+  for (size_t n = 0; n < g->nodes; n++)
     first[n] = NONE;
-    sum[n] = 0;
-  }
+  memset(sum, 0, g->lines * sizeof *sum);
   for (size_t n = 0; n < g->wires; n++) {
     const wire *w = &g->wire[n];
     for (int end = 0; end < 2 && !w->empty; end++) {
       const size_t node = w->node[end];
       first[node] = first[node] == NONE ? w->side / 3 : first[node];
       unite(g->part, w->side / 3, first[node]);
-      sum[node] += end == 0 ? -w->turn : w->turn;
+      sum[w->line[end]] += end == 0 ? -w->turn : w->turn;
     }
   }
   add_parts(made, g->s, g->part);
@@ -316,7 +365,7 @@ static void find_parts(net *g, sheets *made) {
     const wire *w = &g->wire[n];
     part *of = &made->part[made->part_of[w->side / 3]];
     for (int end = 0; end < 2; end++) {
-      const long left = w->empty ? w->turn : sum[w->node[end]];
+      const long left = w->empty ? w->turn : sum[w->line[end]];
       of->open = of->open || left % 2 != 0;
       of->twisted = of->twisted || left != 0;
     }
@@ -336,5 +385,6 @@ sheets sheets_of(const surface *s) {
   free(g.part);
   free(g.wire);
   free(g.node);
+  free(g.line);
   return made;
 }

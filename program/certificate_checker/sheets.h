@@ -18,7 +18,8 @@
  * together in these two ways: all of its triangles have the same factor.
  *
  * Corners are rounded. If two lines through a vertex may be the same, then they are one node. Such
- * a node is a law less, so whatever the net proves is true. */
+ * a node is a law less, so whatever the net proves is true. Whether a part is closed is another
+ * question: there lines are the same only if no corner is farther from one than it is rounded. */
 #ifndef CERTIFICATE_SHEETS_H
 #define CERTIFICATE_SHEETS_H
 
