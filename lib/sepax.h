@@ -586,7 +586,8 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  *      if the number of all crossings is odd.
  *   3. If as many crossings are outwards as inwards, then the point is outside if it is in a
  *      cavity: the parts round the point do not touch each other, and from the outermost part on
- *      they are wound outwards and inwards by turns.
+ *      they are wound outwards and inwards by turns. If sheets of an open part do not cancel, then
+ *      this rule says nothing.
  *   4. Otherwise the point is SEPAX_INSIDE_UNKNOWN, if none of six rays tells more.
  * So the solids of one body are united, also if one lies in another one. A cavity must be wound
  * inwards. The rules do not decide inside a surface that has both sides of each face, and where
@@ -603,7 +604,8 @@ bool sepax_bodies_within(const sepax_shell *a, const sepax_pose *pose_a, const s
  *     each other. A cavity must be wound inwards.
  *   OPEN: not known. Open parts may enclose it.
  *   INCONSISTENT: not known. A part round it has triangles that are turned round.
- *   DOUBLED: not known. A part round it has faces twice, as two sides or as copies.
+ *   DOUBLED: not known. A part round it has faces twice, as two sides or as copies; or it is a
+ *     solid and a cavity with a common edge.
  *   OPPOSED: not known. Parts round it touch and are wound in opposite ways: one of them is inside
  *     out, or a cavity that touches its wall.
  *   SHEETS: not known. A ray from it crosses more than 256 sheets.

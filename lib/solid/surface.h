@@ -44,7 +44,7 @@ typedef struct {
 /* What an edge bounds. A flat triangle bounds nothing: its edges cancel on their line. */
 typedef struct {
   size_t triangles; /* that are not flat */
-  uint32_t two[2];  /* two of these, if there are two or more */
+  uint32_t two[2];  /* the first and, if there are two or more, the last of them */
   int32_t turn;     /* how many more of them run from the lower to the higher vertex than back */
 } edge_sum;
 

@@ -235,10 +235,9 @@ static size_t sum_parts(const crossings *all, crossing part[SHEETS]) {
   return parts;
 }
 
-/* Are these parts, whose turns have the sum 0, in each other without touching, and from the
- * outermost one on wound outwards and inwards by turns? Parts that do not touch and have a common
- * point inside are in each other, so their boxes are, too. */
-static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
+/* Order parts by their boxes. If they do not touch and have a common point inside, then they are in
+ * each other, and so are their boxes: the outermost one comes first. */
+static void order_parts(const sepax_shell *shell, crossing *part, size_t parts) {
   const solid_part *own = shell->own->part;
   for (size_t n = 1; n < parts; n++) {
     const crossing one = part[n];
@@ -248,17 +247,37 @@ static bool is_cavity(const sepax_shell *shell, crossing *part, size_t parts) {
     }
     part[k] = one;
   }
+}
+
+static bool one_piece(const sepax_shell *shell, const crossing *p, const crossing *q) {
+  return shell->own->part[p->part].piece == shell->own->part[q->part].piece;
+}
+
+/* Do these parts, which are ordered and whose turns have the sum 0, not touch each other, and are
+ * they wound outwards and inwards by turns, the outermost one outwards? */
+static bool is_cavity(const sepax_shell *shell, const crossing *part, size_t parts) {
   for (size_t n = 0; n < parts; n++) { /* as the sum is 0, their number is even */
     if (part[n].turns != (n % 2 == 0 ? 1 : -1)) {
       return false;
     }
     for (size_t k = 0; k < n; k++) {
-      if (own[part[k].part].piece == own[part[n].part].piece) {
+      if (one_piece(shell, &part[k], &part[n])) {
         return false;
       }
     }
   }
   return true;
+}
+
+/* Is one of these parts, which are ordered, in another piece that is wound the same way? */
+static bool is_nested(const sepax_shell *shell, const crossing *part, size_t parts) {
+  for (size_t n = 1; n < parts; n++) {
+    if ((part[n].turns > 0) == (part[n - 1].turns > 0) &&
+        !one_piece(shell, &part[n - 1], &part[n])) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /* Of some parts that a ray crosses. */
@@ -269,10 +288,9 @@ typedef struct {
   bool consistent; /* each of them is */
   bool negative;   /* each of them is crossed more often inwards */
   bool zero;       /* one of them is crossed as often outwards as inwards */
-  bool apart;      /* two of them do not touch */
 } crossing_sum;
 
-/* Add up closed parts; they become the first ones of the list. */
+/* Add up closed parts; they become the first ones of the list, ordered. */
 static crossing_sum sum_closed(const sepax_shell *shell, crossing *part, size_t count) {
   crossing_sum sum = {.consistent = true, .negative = true};
   for (size_t n = 0; n < count; n++) {
@@ -284,9 +302,9 @@ static crossing_sum sum_closed(const sepax_shell *shell, crossing *part, size_t 
       sum.zero = sum.zero || part[n].turns == 0;
       sum.turns += part[n].turns;
       part[sum.parts++] = part[n];
-      sum.apart = sum.apart || own->piece != shell->own->part[part[0].part].piece;
     }
   }
+  order_parts(shell, part, sum.parts);
   return sum;
 }
 
@@ -303,7 +321,7 @@ static sepax_inside inside_by_ray(ray *r, const sepax_shell *shell) {
     return SEPAX_OUTSIDE;
   }
   if (sum.parts > 0 && (sum.consistent ? sum.turns > 0 || sum.negative : sum.odd)) {
-    const bool nested = sum.consistent && sum.apart && (sum.turns > 1 || sum.turns < -1);
+    const bool nested = sum.consistent && is_nested(shell, part, sum.parts);
     r->why = nested ? SEPAX_WITHIN_NESTED : SEPAX_WITHIN_PLAIN;
     return SEPAX_INSIDE;
   }
@@ -320,11 +338,7 @@ static sepax_inside inside_by_ray(ray *r, const sepax_shell *shell) {
 
 /* If one ray does not tell, then another may. */
 static sepax_inside inside(ray *r, const sepax_shell *shell) {
-  bool any = false;
-  for (size_t k = 0; k < shell->parts && !any; k++) {
-    any = may_be_in(r, shell->own->part[k].tangle);
-  }
-  sepax_inside in = any ? inside_by_ray(r, shell) : SEPAX_OUTSIDE;
+  sepax_inside in = inside_by_ray(r, shell);
   const sepax_within_reason why = r->why;
   const int first[2] = {r->axis, r->way};
   for (int n = 0; n < 6 && in == SEPAX_INSIDE_UNKNOWN; n++) {

@@ -29,8 +29,8 @@ void report_print_within(sepax_within_reason why, const char *inner, const char 
     printf("facets of %s are turned round; wind all of them outwards", outer);
     break;
   case SEPAX_WITHIN_DOUBLED:
-    printf("%s has faces twice there, as two sides or as copies; --weld=0 leaves one of equal "
-           "facets",
+    printf("%s has faces twice there, as two sides or as copies, or a cavity with an edge in its "
+           "wall; --weld=0 leaves one of equal facets",
            outer);
     break;
   case SEPAX_WITHIN_OPPOSED:

@@ -254,6 +254,15 @@ CASE(reason_of_solids) {
   add_block(&m, corner[0], corner[1], false);
   add_block(&m, corner[2], corner[3], true);
   assert_why(&m, 1.5, 0.5, 1, SEPAX_INSIDE_UNKNOWN, SEPAX_WITHIN_OPPOSED);
+  static const double room[2][2][3] = {{{-9, -9, -9}, {9, 9, 9}}, {{-8, -8, -8}, {8, 8, 8}}};
+  for (int inwards = 0; inwards < 2; inwards++) { /* two solids that overlap, in a cavity */
+    add_block(&m, room[0][0], room[0][1], false);
+    add_block(&m, room[1][0], room[1][1], inwards != 0);
+    add_block(&m, corner[0], corner[1], false);
+    add_block(&m, corner[2], corner[3], false);
+    assert_why(&m, 1.5, 0.5, 1, SEPAX_INSIDE,
+               inwards != 0 ? SEPAX_WITHIN_PLAIN : SEPAX_WITHIN_NESTED);
+  }
 }
 
 CASE(reason_of_faults) {
