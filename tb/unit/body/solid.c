@@ -99,7 +99,7 @@ static void assert_shell(const sepax_shell *shell, const oracle_shell *o, const 
     int count = 0;
     int turns = 0;
     bool named = false;
-    for (size_t k = 0; k < 3 * m->count; k++) {
+    for (size_t k = 0; k < 3 * m->count && m->facet != NULL; k++) {
       const double(*u)[3] = m->facet[k / 3].v;
       int way =
           is_flat(u) ? 0 : same_edge(shell->edge[0], shell->edge[1], u[k % 3], u[(k + 1) % 3]);

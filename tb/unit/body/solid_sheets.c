@@ -111,7 +111,7 @@ static void add_plate(sepax_soup *m, int axis, int side, bool both_sides) {
     rim[n][axis] = 6 * side;
     middle[axis] = 6 * side;
     for (int k = 0; k < 2; k++) {
-      rim[n][(axis + 1 + k) % 3] = from[k] + (to[k] - from[k]) / cuts * (n % cuts);
+      rim[n][(axis + 1 + k) % 3] = from[k] + 1.0 * (to[k] - from[k]) * (n % cuts) / cuts;
       middle[(axis + 1 + k) % 3] = 3;
     }
   }
