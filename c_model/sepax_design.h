@@ -188,14 +188,16 @@ typedef enum {
  * `shift` is 0. */
 enum {
   SEPAX_X_COORDINATE,
-  SEPAX_X_SPAN,       /* sum or difference of two coordinates */
-  SEPAX_X_ORIENT2D,   /* t_ij and g_ijk: twice an area */
-  SEPAX_X_Z_SUM,      /* sum of z coordinates of both triangles, on an ASIC plus BIAS = 1 + 4 + 16
-                         + ..., which the biased multiplier subtracts again */
-  SEPAX_X_OWN_Z_SUM,  /* the same sum for three vertices of B */
-  SEPAX_X_ORIENT3D,   /* h_ijk, s_k, w_i and d_ij: six times a volume */
-  SEPAX_X_CROSS,      /* with a clearance: component of e x f, N_A or N_B */
-  SEPAX_X_LIMIT,      /* with a clearance: twice the gap on such an axis must exceed this number */
+  SEPAX_X_SPAN,      /* sum or difference of two coordinates */
+  SEPAX_X_ORIENT2D,  /* t_ij and g_ijk: twice an area */
+  SEPAX_X_Z_SUM,     /* sum of z coordinates of both triangles, on an ASIC plus BIAS = 1 + 4 + 16
+                        + ..., which the biased multiplier subtracts again */
+  SEPAX_X_OWN_Z_SUM, /* the same sum for three vertices of B */
+  SEPAX_X_ORIENT3D,  /* h_ijk, s_k, w_i and d_ij: six times a volume */
+  SEPAX_X_STEP,      /* difference of two y coordinates that chooses the projection, on an ASIC plus
+                        BIAS */
+  SEPAX_X_CROSS,     /* with a clearance: component of e x f, N_A or N_B */
+  SEPAX_X_LIMIT,     /* with a clearance: twice the gap on such an axis must exceed this number */
   SEPAX_X_EDGE_LIMIT, /* the same for an axis that is normal to an edge and to x, y or z */
   SEPAX_X_COUNT
 };
@@ -212,16 +214,14 @@ typedef struct {
                              units of SEPAX_F_NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; for exact 0, because
                              only the generator's schedule decides it */
-  int second_pass;   /* for exact set by the generator: the latency of a pair that passes the core
-                        twice, in an empty core; 0 if no pair does */
-  bool ripple;       /* for exact set by the generator: the clock has time for adders that are
-                        chains of full adders */
-  int limits;        /* number of clearances: 0, 1 (clearance) or 2 (and warning) */
-  int64_t margin[2]; /* gaps of AABBs in LSB, 0 without clearances. If the gap is above
-                        margin[0] = 1 + clearance, then the pair is not in band COLLISION. If
-                        it is above margin[1] = 1 + the larger clearance, then the pair is in
-                        band FREE. A tree engine adds to both:
-                        docs/reference/tree-engine.md */
+  bool ripple;            /* for exact set by the generator: the clock has time for adders that are
+                             chains of full adders */
+  int limits;             /* number of clearances: 0, 1 (clearance) or 2 (and warning) */
+  int64_t margin[2];      /* gaps of AABBs in LSB, 0 without clearances. If the gap is above
+                             margin[0] = 1 + clearance, then the pair is not in band COLLISION. If
+                             it is above margin[1] = 1 + the larger clearance, then the pair is in
+                             band FREE. A tree engine adds to both:
+                             docs/reference/tree-engine.md */
 } sepax_design;
 
 /* Check a configuration and derive all other fields of *design. Error: ARGUMENT as for
@@ -286,16 +286,12 @@ bool sepax_near_pairs(const sepax_design *design, bool tight, const sepax_tri *a
 typedef struct {
   uint64_t pairs, candidates; /* pairs whose AABBs were compared; pairs whose AABBs overlap or, with
                                  a clearance, are within the margin */
-  uint64_t passes;       /* passes of candidates through the cores. A pair that is flat along the
-                            thinnest side of A's AABB needs two passes, any other pair one */
-  sepax_pairs found;     /* collisions and pairs in band WARNING, in the order of the engine */
-  uint64_t collisions;   /* number of collisions in `found` */
+  sepax_pairs found;          /* collisions and pairs in band WARNING, in the order of the engine */
+  uint64_t collisions;        /* number of collisions in `found` */
   size_t first;          /* index of the first collision in `found`; found.count if there is none */
   uint64_t out_of_range; /* undecided pairs in `found`: beyond an extent, or B left the W bits */
   uint64_t cycles;       /* predicted cycles, right to about 1 % plus 20 + 4 II cycles, to 10 %
-                            where candidates come in bursts. Each pair of two passes may add up to
-                            II cycles, on an FPGA two II, because later verdicts wait; of several
-                            cores it may take one cycle less */
+                            where candidates come in bursts */
 } sepax_object_run;
 
 /* The golden model of the object engine (a design with lanes). It judges all triangles of A against
@@ -354,14 +350,8 @@ typedef struct {
 
 /* The work that one pose gives a design. */
 typedef struct {
-  uint64_t candidates; /* pairs of triangles whose AABBs overlap */
-  uint32_t (*pass)[2]; /* the triangles of A and of B of each pass through a core of an engine. A
-                          candidate that is flat along the thinnest side of A's AABB takes two
-                          passes and is listed twice */
-  size_t passes;       /* entries of `pass` */
-  uint64_t twice; /* pairs, of all, that take two passes in a core without an engine and without
-                     an AABB test, because they are flat along z */
-  uint64_t twice_near; /* candidates among these pairs */
+  size_t candidates;        /* pairs of triangles whose AABBs overlap */
+  uint32_t (*candidate)[2]; /* their triangles of A and of B */
 } sepax_workload;
 
 /* What a scene needs in all its poses. extent[0] bounds each side of the AABB of each triangle of

@@ -126,12 +126,11 @@ typedef struct {
   uint64_t entries, steps, rows, pairs, near,
       collisions;                  /* docs/reference/tree-engine.md, Counters */
   uint64_t out_of_range, warnings; /* near pairs that are out of range, or in the warning band */
-  uint64_t passes; /* passes of near pairs through the core: two for a pair that is flat along z */
-  sepax_tree_pair found; /* the first collision; valid if collisions > 0 */
-  uint64_t cycles;       /* predicted cycle of the last verdict, with cold caches */
-  uint64_t deepest;      /* most entries that were in the stack */
-  bool damaged;          /* a node is damaged or the stack is full: no verdict */
-  bool ended;            /* `first` or `each` ended the walk */
+  sepax_tree_pair found;           /* the first collision; valid if collisions > 0 */
+  uint64_t cycles;                 /* predicted cycle of the last verdict, with cold caches */
+  uint64_t deepest;                /* most entries that were in the stack */
+  bool damaged;                    /* a node is damaged or the stack is full: no verdict */
+  bool ended;                      /* `first` or `each` ended the walk */
 } sepax_tree_run;
 
 /* Walk two trees as the engine does. Fails if the word of a tree is above that of the design, if

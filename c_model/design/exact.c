@@ -154,6 +154,7 @@ static void derive_formats(sepax_design *d) {
   enter_digits(d, SEPAX_X_Z_SUM, "z_sum", z_sum);
   enter_digits(d, SEPAX_X_OWN_Z_SUM, "own_z_sum", own_z_sum);
   enter(d, SEPAX_X_ORIENT3D, "orient3d", product(orient2d, own_z_sum), orient3d);
+  enter_digits(d, SEPAX_X_STEP, "step", difference(word, word));
   derive_limits(d, side);
 }
 

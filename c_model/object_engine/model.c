@@ -42,16 +42,10 @@ static bool judge(enumeration *e, size_t i, size_t j) {
   const sepax_config *c = &e->design->config;
   const sepax_pair pair = {.a = e->a[i], .b = moved(&e->b[j], e->move, c->word)};
   sepax_judgement v = sepax_judge(e->design, &pair);
-  bool decided_before = v.axis == SEPAX_AXIS_AABB || v.axis == SEPAX_AXIS_EXTENT;
   bool moved_out = !aabb_fits(&e->bounds_b[j], c->word);
   bool undecided = moved_out || v.axis == SEPAX_AXIS_EXTENT;
   bool collision = moved_out || v.collision;
-  sepax_tri a = engine_thin_along_z(&pair.a, &e->bounds_a[i]);
-  sepax_tri b = engine_thin_along_z(&pair.b, &e->bounds_a[i]);
-  bool twice =
-      !c->flag && e->design->limits == 0 && !decided_before && engine_takes_two_passes(&a, &b);
   run->candidates++;
-  run->passes += twice ? 2 : 1;
   bool warning = !collision && e->design->limits > 0 && v.band == SEPAX_BAND_WARNING;
   if (!collision && !warning) {
     return true;
@@ -93,12 +87,12 @@ static bool judge_all(enumeration *e, size_t count_a, size_t count_b) {
   engine_time t = engine_time_begin(c);
   for (size_t round = 0; round <= rounds; round++) {
     for (size_t j = 0; j < length && (round < rounds || j < last); j++) {
-      uint64_t before = e->run->passes;
+      uint64_t before = e->run->candidates;
       if (j < count_b && !judge_step(e, round, j, count_a)) {
         return false;
       }
-      if (e->run->passes > before) {
-        engine_step(&t, e->run->passes - before);
+      if (e->run->candidates > before) {
+        engine_step(&t, e->run->candidates - before);
       } else {
         engine_idle(&t, 1);
       }

@@ -5,17 +5,15 @@
 #define SEPAX_OBJECT_TIME_H
 
 #include "sepax_design.h"
-#include "util/aabb.h"
-#include "util/wide.h"
 
-/* Buffers between the lanes and the cores: a FIFO of candidate masks (only the number of passes of
- * each mask matters here), the mask that the priority encoder empties, and the pairs that were
+/* Buffers between the lanes and the cores: a FIFO of masks of candidates (only their number matters
+ * here), the mask that the priority encoder empties, and the pairs that were
  * fetched. */
 enum { ENGINE_ENTRIES = 16, ENGINE_FETCHED = 2 };
 typedef struct {
-  uint64_t passes[ENGINE_ENTRIES];
+  uint64_t mask[ENGINE_ENTRIES];
   int first, count;
-  uint64_t picked; /* passes left in the mask of the priority encoder */
+  uint64_t picked; /* candidates left in the mask of the priority encoder */
   int fetched;
   uint64_t now, last_taken;
   uint64_t ii, cores;
@@ -55,7 +53,7 @@ static inline void engine_tick(engine_time *t) {
     t->fetched++;
   }
   if (t->picked == 0 && t->count > 0) {
-    t->picked = t->passes[t->first];
+    t->picked = t->mask[t->first];
     t->first = (t->first + 1) % ENGINE_ENTRIES;
     t->count--;
   }
@@ -80,10 +78,10 @@ static inline void engine_stall(engine_time *t) {
   }
 }
 
-/* A step of the pair enumerator that finds candidates with this many passes, at least 1. */
-static inline void engine_step(engine_time *t, uint64_t passes) {
+/* A step of the pair enumerator that finds so many candidates, at least 1. */
+static inline void engine_step(engine_time *t, uint64_t candidates) {
   engine_stall(t);
-  t->passes[(t->first + t->count++) % ENGINE_ENTRIES] = passes;
+  t->mask[(t->first + t->count++) % ENGINE_ENTRIES] = candidates;
   engine_tick(t);
 }
 
@@ -122,38 +120,6 @@ static inline uint64_t engine_steps(uint64_t count_a, uint64_t count_b, uint64_t
 static inline uint64_t engine_step_of(uint64_t i, uint64_t j, uint64_t count_b, uint64_t lanes) {
   uint64_t length = count_b > lanes ? count_b : lanes;
   return (i / lanes + (j < i % lanes)) * length + j;
-}
-
-/* The triangle with z and the axis of the thinnest side exchanged. */
-static inline sepax_tri engine_thin_along_z(const sepax_tri *t, const aabb *thin) {
-  int thinnest = aabb_thinnest(thin);
-  sepax_tri swapped;
-  for (int k = 0; k < 3; k++) {
-    const sepax_vec *v = &t->v[k];
-    swapped.v[k] = (sepax_vec){thinnest == 0 ? v->z : v->x, thinnest == 1 ? v->z : v->y,
-                               vec_component(v, thinnest)};
-  }
-  return swapped;
-}
-
-/* True if a pair needs two passes through a core without an AABB test: its six vertices are on one
- * line as seen along z. */
-static inline bool engine_takes_two_passes(const sepax_tri *a, const sepax_tri *b) {
-  wide dx = 0;
-  wide dy = 0;
-  for (int i = 1; i < 6; i++) {
-    const sepax_vec *v = i < 3 ? &a->v[i] : &b->v[i - 3];
-    wide x = (wide)v->x - a->v[0].x;
-    wide y = (wide)v->y - a->v[0].y;
-    if (dx * y != dy * x) {
-      return false;
-    }
-    if (dx == 0 && dy == 0) {
-      dx = x;
-      dy = y;
-    }
-  }
-  return true;
 }
 
 #endif

@@ -43,32 +43,32 @@ static uint64_t loading(const sepax_size *size, const sepax_config *config) {
   return size->path > 0 && config->lanes > 0 ? sepax__workload_loading(size->count, config) : 0;
 }
 
-static uint64_t most_passes(const sepax_size *size) {
-  uint64_t passes = 0;
+static uint64_t most_candidates(const sepax_size *size) {
+  uint64_t most = 0;
   for (size_t n = 0; n < size->workloads; n++) {
-    passes = larger(passes, size->workload[n].passes);
+    most = larger(most, size->workload[n].candidates);
   }
-  return passes;
+  return most;
 }
 
-/* The pose with the most pairs of triangles; of several, the one with the most passes. */
+/* The pose with the most pairs of triangles; of several, the one with the most candidates. */
 static size_t busiest_pose(const candidates *all) {
   size_t poses = all->size->path > 0 ? all->size->path : all->size->workloads;
   size_t best = 0;
   double most[2] = {-1, -1};
   for (size_t n = 0; n < poses; n++) {
     double pairs = 0;
-    double passes = 0;
+    double near = 0;
     for (size_t k = 0; k < all->pairs; k++) {
       const sepax_size *size = &all->size[k];
       if (!sepax__is_absent(size, n)) {
         pairs += (double)size->count[0] * (double)size->count[1];
-        passes += (double)sepax__passes_of(size, n);
+        near += (double)sepax__candidates_of(size, n);
       }
     }
-    if (pairs > most[0] || (pairs == most[0] && passes > most[1])) {
+    if (pairs > most[0] || (pairs == most[0] && near > most[1])) {
       most[0] = pairs;
-      most[1] = passes;
+      most[1] = near;
       best = n;
     }
   }
@@ -81,9 +81,9 @@ static uint64_t least_cycles(const candidates *all, const sepax_config *config) 
   for (size_t n = 0; n < all->pairs; n++) {
     const sepax_size *size = &all->size[n];
     if (!sepax__is_absent(size, all->busiest)) {
-      sum +=
-          sepax__workload_least_cycles(sepax__passes_of(size, all->busiest), size->count, config) +
-          loading(size, config);
+      sum += sepax__workload_least_cycles(sepax__candidates_of(size, all->busiest), size->count,
+                                          config) +
+             loading(size, config);
     }
   }
   return sum;
@@ -173,7 +173,7 @@ static bool find_work(candidates *all, sepax_error *error) {
       if (!sepax__size_trees_walk(all->size[k].trees, &fastest, n, all->request, &run, error)) {
         return false;
       }
-      all->work[n].passes += run.passes;
+      all->work[n].near += run.near;
       all->work[n].least += run.cycles + all->job;
     }
   }
@@ -192,8 +192,8 @@ static bool add_tree_engines(candidates *all, sepax_error *error) {
     sepax_config config = tree_engine(all, intervals[n / SEPAX_CORES_MAX], cores);
     uint64_t least = 0;
     for (size_t k = 0; k < all->tree_poses; k++) {
-      uint64_t busy = all->work[k].passes /
-                      (uint64_t)cores; /* after the last pass of a pair no II is waited for */
+      uint64_t busy =
+          all->work[k].near / (uint64_t)cores; /* after the last pair no II is waited for */
       busy = busy > all->pairs ? (busy - all->pairs) * (uint64_t)config.ii : 0;
       least = larger(least, larger(busy, all->work[k].least));
     }
@@ -237,10 +237,10 @@ const candidate_kind *sepax__candidate_kind(const sepax_config *config) {
 
 static bool allocate(candidates *all, sepax_error *error) {
   const sepax_size_request *r = all->request;
-  size_t passes = 0;
+  size_t near = 0;
   for (size_t n = 0; n < all->pairs; n++) {
     const sepax_size *size = &all->size[n];
-    passes = (size_t)larger(passes, most_passes(size));
+    near = (size_t)larger(near, most_candidates(size));
     int of_trees = size->trees != NULL ? size->trees->word : 0;
     all->tree_poses = size->trees != NULL ? size->trees->poses : 0;
     all->word = size->grid.word > all->word ? size->grid.word : all->word;
@@ -253,10 +253,10 @@ static bool allocate(candidates *all, sepax_error *error) {
   size_t lanes = r->lanes_least <= r->lanes_most ? (size_t)(r->lanes_most - r->lanes_least + 1) : 0;
   size_t most = (2 * lanes + 1) * INTERVALS * SEPAX_CORES_MAX;
   all->design = malloc(most * sizeof *all->design);
-  all->steps = malloc((passes + 1) * sizeof *all->steps);
+  all->steps = malloc((near + 1) * sizeof *all->steps);
   return (all->design != NULL && all->steps != NULL) ||
          sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu designs and %zu candidates", most,
-                    passes);
+                    near);
 }
 
 bool sepax__candidates_find(candidates *all, sepax_error *error) {

@@ -8,7 +8,7 @@
 /* The work of a tree engine in a pose, which does not depend on II and cores, and the cycles of the
  * fastest tree engine. */
 typedef struct {
-  uint64_t passes, least;
+  uint64_t near, least;
 } tree_work;
 
 typedef struct {
@@ -35,8 +35,8 @@ typedef struct {
    * with this engine are not considered. */
   bool (*add)(candidates *all, sepax_error *error);
   size_t (*poses)(const candidates *all); /* number of poses to try; 0: the work is not known */
-  /* The cycles of a pair in a pose. `steps` has space for the passes of the pose. NULL: they are
-   * not known. */
+  /* The cycles of a pair in a pose. `steps` has space for the candidates of the pose. NULL: they
+   * are not known. */
   bool (*cycles)(uint64_t *cycles, const sepax_size *size, const sepax_config *config, size_t pose,
                  const sepax_size_request *request, uint64_t *steps, sepax_error *error);
   bool waits; /* the engine also takes candidates.job and candidates.list cycles */
@@ -55,8 +55,8 @@ static inline bool sepax__is_absent(const sepax_size *size, size_t pose) {
 }
 
 /* Passes of the pair in this pose; 0 if workloads were not computed. */
-static inline uint64_t sepax__passes_of(const sepax_size *size, size_t pose) {
-  return pose < size->workloads ? size->workload[pose].passes : 0;
+static inline uint64_t sepax__candidates_of(const sepax_size *size, size_t pose) {
+  return pose < size->workloads ? size->workload[pose].candidates : 0;
 }
 
 #endif

@@ -431,7 +431,7 @@ bool sepax_size_scene(sepax_size *size, const sepax_soup *a, const sepax_soup *b
 
 void sepax_size_free(sepax_size *size) {
   for (size_t n = 0; n < size->workloads; n++) {
-    free(size->workload[n].pass);
+    free(size->workload[n].candidate);
   }
   free(size->workload);
   sepax__size_trees_free(size->trees);

@@ -24,11 +24,11 @@ bool sepax_size_cycles(uint64_t *cycles, const sepax_size *size, const sepax_con
     *cycles = 0;
     return true;
   }
-  size_t passes = (size_t)sepax__passes_of(size, pose);
-  uint64_t *steps = malloc((passes + 1) * sizeof *steps);
+  size_t near = (size_t)sepax__candidates_of(size, pose);
+  uint64_t *steps = malloc((near + 1) * sizeof *steps);
   bool ok = steps != NULL
                 ? of->cycles(cycles, size, config, pose, request, steps, error)
-                : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu candidates", passes);
+                : sepax_fail(error, SEPAX_ERROR_MEMORY, "no memory for %zu candidates", near);
   free(steps);
   return ok;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* workloads.c - finds the candidates of a pose and the pairs that take two passes, and computes the
- * cycles of a design for them. docs/reference/size.md. */
+/* workloads.c - finds the candidates of a pose, and computes the cycles of a design for them.
+ * docs/reference/size.md. */
 #include "size/workloads.h"
 
 #include "object_engine/time.h"
@@ -33,27 +33,17 @@ static size_t first_from(const numbered *sorted, size_t count, int64_t x) {
   return low;
 }
 
-static bool add_passes(sepax_workload *workload, size_t *capacity, const workload_bodies *r,
-                       uint32_t i, uint32_t j) {
-  const sepax_tri *of_a = &r->tri[0][i];
-  const sepax_tri *of_b = &r->tri[1][j];
-  sepax_tri a = engine_thin_along_z(of_a, &r->bounds[0][i]);
-  sepax_tri b = engine_thin_along_z(of_b, &r->bounds[0][i]);
-  int passes = !r->limited && engine_takes_two_passes(&a, &b) ? 2 : 1;
-  workload->twice_near += !r->limited && engine_takes_two_passes(of_a, of_b);
-  workload->candidates++;
-  for (int n = 0; n < passes; n++) {
-    if (workload->passes == *capacity) {
-      *capacity = *capacity == 0 ? 1024 : 2 * *capacity;
-      uint32_t(*grown)[2] = realloc(workload->pass, *capacity * sizeof *grown);
-      if (grown == NULL) {
-        return false;
-      }
-      workload->pass = grown;
+static bool add_candidate(sepax_workload *workload, size_t *capacity, uint32_t i, uint32_t j) {
+  if (workload->candidates == *capacity) {
+    *capacity = *capacity == 0 ? 1024 : 2 * *capacity;
+    uint32_t(*grown)[2] = realloc(workload->candidate, *capacity * sizeof *grown);
+    if (grown == NULL) {
+      return false;
     }
-    workload->pass[workload->passes][0] = i;
-    workload->pass[workload->passes++][1] = j;
+    workload->candidate = grown;
   }
+  workload->candidate[workload->candidates][0] = i;
+  workload->candidate[workload->candidates++][1] = j;
   return true;
 }
 
@@ -71,7 +61,7 @@ static bool find_candidates(sepax_workload *workload, const workload_bodies *r, 
     for (size_t n = first_from(b, r->count[1], p.low[0] - r->margin - longest);
          n < r->count[1] && b[n].box.low[0] <= p.high[0] + r->margin; n++) {
       if (!aabb_disjoint(&p, &b[n].box, r->margin) &&
-          !add_passes(workload, &capacity, r, (uint32_t)i, b[n].number)) {
+          !add_candidate(workload, &capacity, (uint32_t)i, b[n].number)) {
         return false;
       }
     }
@@ -79,114 +69,14 @@ static bool find_candidates(sepax_workload *workload, const workload_bodies *r, 
   return true;
 }
 
-/* ----------------------------------------------------------- pairs of two passes */
-
-/* The line dx y - dy x = c on which an upright triangle lies, as seen along z. dx and dy have no
- * common divisor, and dx > 0 or dx = 0 < dy. If both are zero, then the triangle is the point (x,
- * y). */
-typedef struct {
-  int64_t dx, dy, x, y;
-  wide c;
-  int body;
-} upright;
-
-static int64_t common_divisor(int64_t a, int64_t b) {
-  while (b != 0) {
-    int64_t rest = a % b;
-    a = b;
-    b = rest;
-  }
-  return a < 0 ? -a : a;
-}
-
-static bool is_upright(const sepax_tri *t, int body, upright *u) {
-  if (!engine_takes_two_passes(t, t)) {
-    return false;
-  }
-  *u = (upright){.x = t->v[0].x, .y = t->v[0].y, .body = body};
-  for (int k = 1; k < 3 && u->dx == 0 && u->dy == 0; k++) {
-    u->dx = t->v[k].x - u->x;
-    u->dy = t->v[k].y - u->y;
-  }
-  int64_t divisor = common_divisor(u->dx, u->dy);
-  if (divisor != 0) {
-    divisor = u->dx < 0 || (u->dx == 0 && u->dy < 0) ? -divisor : divisor;
-    u->dx /= divisor;
-    u->dy /= divisor;
-    u->c = (wide)u->dx * u->y - (wide)u->dy * u->x;
-  }
-  return true;
-}
-
-static bool is_point(const upright *u) { return u->dx == 0 && u->dy == 0; }
-
-static bool on_line(const upright *point, const upright *line) {
-  return (wide)line->dx * point->y - (wide)line->dy * point->x == line->c;
-}
-
-/* Points first, then line by line. */
-static int by_line(const void *p, const void *q) {
-  const upright *a = p;
-  const upright *b = q;
-  return a->dx != b->dx   ? (a->dx > b->dx) - (a->dx < b->dx)
-         : a->dy != b->dy ? (a->dy > b->dy) - (a->dy < b->dy)
-                          : (a->c > b->c) - (a->c < b->c);
-}
-
-static uint64_t count_lines(upright *all, size_t count) {
-  qsort(all, count, sizeof *all, by_line);
-  uint64_t pairs = 0;
-  uint64_t here[2] = {0, 0};
-  size_t n = 0;
-  for (; n < count && is_point(&all[n]); n++) {
-    for (size_t m = n + 1; m < count; m++) {
-      pairs += all[n].body != all[m].body && (is_point(&all[m]) || on_line(&all[n], &all[m]));
-    }
-  }
-  for (; n < count; n++) {
-    here[all[n].body]++;
-    if (n + 1 == count || by_line(&all[n], &all[n + 1]) != 0) {
-      pairs += here[0] * here[1];
-      here[0] = 0;
-      here[1] = 0;
-    }
-  }
-  return pairs;
-}
-
-/* Count the pairs of all triangles, not only of candidates, that take two passes. */
-static bool find_upright(sepax_workload *workload, const workload_bodies *r) {
-  size_t count = 0;
-  upright u;
-  for (int i = 0; i < 2; i++) {
-    for (size_t n = 0; n < r->count[i]; n++) {
-      count += is_upright(&r->tri[i][n], i, &u);
-    }
-  }
-  upright *all = malloc((count + 1) * sizeof *all);
-  if (all == NULL) {
-    return false;
-  }
-  count = 0;
-  for (int i = 0; i < 2; i++) {
-    for (size_t n = 0; n < r->count[i]; n++) {
-      count += is_upright(&r->tri[i][n], i, &all[count]);
-    }
-  }
-  workload->twice = count_lines(all, count);
-  free(all);
-  return true;
-}
-
 bool sepax__workload_find(sepax_workload *workload, const workload_bodies *bodies,
                           sepax_error *error) {
   sepax_workload found = {0};
   numbered *sorted = malloc(bodies->count[1] * sizeof *sorted);
-  bool ok = sorted != NULL && find_candidates(&found, bodies, sorted) &&
-            (bodies->limited || find_upright(&found, bodies));
+  bool ok = sorted != NULL && find_candidates(&found, bodies, sorted);
   free(sorted);
   if (!ok) {
-    free(found.pass);
+    free(found.candidate);
     return sepax_fail(error, SEPAX_ERROR_MEMORY,
                       "no memory for the candidates among %zu and %zu triangles; sample "
                       "fewer poses",
@@ -230,16 +120,16 @@ static int by_size(const void *p, const void *q) {
 
 static uint64_t engine_cycles(const sepax_workload *workload, const part_sizes *a,
                               const part_sizes *b, const sepax_config *config, uint64_t *steps) {
-  for (size_t k = 0; k < workload->passes; k++) {
-    uint64_t i = workload->pass[k][0];
-    uint64_t j = workload->pass[k][1];
+  for (size_t k = 0; k < workload->candidates; k++) {
+    uint64_t i = workload->candidate[k][0];
+    uint64_t j = workload->candidate[k][1];
     uint64_t n = i / a->memory;
     uint64_t m = j / b->memory;
     steps[k] = first_step(a, b, n, m) +
                engine_step_of(i - n * a->memory, j - m * b->memory, size_of_part(b, m), b->lanes);
   }
-  if (workload->passes > 0) {
-    qsort(steps, workload->passes, sizeof *steps, by_size);
+  if (workload->candidates > 0) {
+    qsort(steps, workload->candidates, sizeof *steps, by_size);
   }
   uint64_t cycles = 0;
   size_t k = 0;
@@ -249,9 +139,9 @@ static uint64_t engine_cycles(const sepax_workload *workload, const part_sizes *
     uint64_t end =
         at + engine_steps(size_of_part(a, n), size_of_part(b, part % parts(b)), b->lanes);
     engine_time t = engine_time_begin(config);
-    while (k < workload->passes && steps[k] < end) {
+    while (k < workload->candidates && steps[k] < end) {
       size_t first = k;
-      while (k < workload->passes && steps[k] == steps[first]) {
+      while (k < workload->candidates && steps[k] == steps[first]) {
         k++;
       }
       engine_idle(&t, steps[first] - at);
@@ -272,8 +162,7 @@ static void sizes_of(part_sizes size[2], const size_t count[2], const sepax_conf
 uint64_t sepax__workload_cycles(const sepax_workload *workload, const size_t count[2],
                                 const sepax_config *config, uint64_t *steps) {
   if (config->lanes == 0) {
-    uint64_t twice = config->extent_a > 0 ? workload->twice_near : workload->twice;
-    return ((uint64_t)count[0] * count[1] + twice) * (uint64_t)config->ii;
+    return (uint64_t)count[0] * count[1] * (uint64_t)config->ii;
   }
   part_sizes size[2];
   sizes_of(size, count, config);
@@ -282,7 +171,7 @@ uint64_t sepax__workload_cycles(const sepax_workload *workload, const size_t cou
 
 /* Each step takes a cycle. In each part, a core that takes n pairs takes the last of them (n - 1)
  * II cycles after the first. */
-uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
+uint64_t sepax__workload_least_cycles(uint64_t candidates, const size_t count[2],
                                       const sepax_config *config) {
   uint64_t ii = (uint64_t)config->ii;
   if (config->lanes == 0) {
@@ -291,7 +180,7 @@ uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
   part_sizes size[2];
   sizes_of(size, count, config);
   uint64_t steps = first_step(&size[0], &size[1], parts(&size[0]) - 1, parts(&size[1]));
-  uint64_t each = passes / (uint64_t)config->cores;
+  uint64_t each = candidates / (uint64_t)config->cores;
   uint64_t idle = parts(&size[0]) * parts(&size[1]);
   uint64_t busy = each > idle ? (each - idle) * ii : 0;
   return steps > busy ? steps : busy;

@@ -12,7 +12,7 @@ typedef struct {
   aabb *bounds[2];
   size_t count[2]; /* below 2^32 */
   bool limited;    /* the core has a clearance; then: */
-  int64_t margin;  /* AABBs are enlarged by this margin; no pair takes two passes */
+  int64_t margin;  /* AABBs are enlarged by this margin */
 } workload_bodies;
 
 /* Find the workload of two bodies. Fails only without memory. */
@@ -21,13 +21,12 @@ bool sepax__workload_find(sepax_workload *workload, const workload_bodies *bodie
 
 /* The cycles of a workload of count[0] x count[1] triangles, without loading and without the
  * latency of the core. With lanes the golden model of the engine predicts them. Without an engine
- * they are II for each pair and for each second pass. `steps` has space for workload->passes
- * numbers. */
+ * they are II for each pair. `steps` has space for workload->candidates numbers. */
 uint64_t sepax__workload_cycles(const sepax_workload *workload, const size_t count[2],
                                 const sepax_config *config, uint64_t *steps);
 
-/* A lower bound of the cycles of any workload with this number of passes. */
-uint64_t sepax__workload_least_cycles(uint64_t passes, const size_t count[2],
+/* A lower bound of the cycles of any workload with this number of candidates. */
+uint64_t sepax__workload_least_cycles(uint64_t candidates, const size_t count[2],
                                       const sepax_config *config);
 
 /* Cycles to load the vertices of the turned B, and those of A that did not stay in memory. For

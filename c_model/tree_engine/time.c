@@ -63,7 +63,7 @@ uint64_t sepax__tree_time_finish(tree_time *t, uint64_t there, unsigned boxes) {
   return t->compare + t->span[BEHIND_BOXES];
 }
 
-static void take_pass(tree_time *t, uint64_t tested) {
+static void take_pair(tree_time *t, uint64_t tested) {
   uint64_t *free_at = &t->free_at[0];
   for (uint64_t k = 1; k < t->cores; k++) {
     free_at = t->free_at[k] < *free_at ? &t->free_at[k] : free_at;
@@ -117,8 +117,8 @@ void sepax__tree_time_row(tree_time *t, const time_row *row) {
   t->pairs = later(t->pairs, t->leaves_there);
   *begun = t->pairs;
   t->pairs += later(row->pairs, least) + t->span[BEHIND_ROW];
-  for (unsigned n = 0; n < row->passes; n++) {
-    take_pass(t, *begun + n);
+  for (unsigned n = 0; n < row->near; n++) {
+    take_pair(t, *begun + n);
   }
   uint64_t kept = TIME_PAIRS * t->ii;
   t->pairs = later(t->pairs, t->verdict > kept ? t->verdict - kept : 0);

@@ -56,14 +56,13 @@ uint64_t sepax__tree_time_move(tree_time *t, uint64_t now, const uint32_t node[2
 uint64_t sepax__tree_time_finish(tree_time *t, uint64_t there, unsigned boxes);
 
 /* A row, which was found in cycle `now`: its leaves, the beats of their records, the numbers of the
- * vertices of B's triangle (5 bits each), its pairs, and the passes of its near pairs through the
- * cores. */
+ * vertices of B's triangle (5 bits each), its pairs, and how many of them are near. */
 typedef struct {
   uint64_t now;
   uint32_t leaf[2];
   int beats[2];
   uint32_t corners;
-  unsigned pairs, passes;
+  unsigned pairs, near;
 } time_row;
 void sepax__tree_time_row(tree_time *t, const time_row *row);
 

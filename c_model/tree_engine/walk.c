@@ -5,7 +5,6 @@
 #include "tree_engine/tree.h"
 #include "tree_engine/walk.h"
 
-#include "object_engine/time.h"
 #include "util/error.h"
 
 #include <stdlib.h>
@@ -73,13 +72,11 @@ static void judge(walk *w, sepax_tree_pair *p, const tree_pair *tested, const in
   p->out_of_range = tested->out_of_range;
   p->collision = true;
   p->band = SEPAX_BAND_COLLISION;
-  w->run->passes++;
   if (!tested->out_of_range) {
     sepax_judgement v = sepax_judge(w->how->design, &pair);
     p->collision = v.collision;
     p->coplanar = v.coplanar;
     p->band = v.band;
-    w->run->passes += w->how->design->limits == 0 && engine_takes_two_passes(&pair.a, &pair.b);
   }
 }
 
@@ -105,7 +102,7 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
   int32_t turned[3][3];
   w->run->rows++;
   uint64_t pairs = w->run->pairs;
-  uint64_t passes = w->run->passes;
+  uint64_t near = w->run->near;
   if (!sepax__tree_triangle(own, record_b, node_b->beats, b, word)) {
     return damaged(w);
   }
@@ -137,7 +134,7 @@ static bool serve_row(walk *w, const uint32_t leaf[2], const tree_node *node_a,
                         .beats = {node_a->beats, node_b->beats},
                         .corners = record_b[2 * b] | (uint32_t)record_b[2 * b + 1] << 8,
                         .pairs = (unsigned)(w->run->pairs - pairs),
-                        .passes = (unsigned)(w->run->passes - passes)};
+                        .near = (unsigned)(w->run->near - near)};
   sepax__tree_time_row(&w->time, &row);
   return !w->run->ended;
 }

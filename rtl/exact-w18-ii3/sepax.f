@@ -18,8 +18,10 @@ sepax_orient3d_a.v
 sepax_orient3d_b.v
 sepax_orient3d_edges.v
 sepax_decide.v
+sepax_products1_19x20_open.v
+sepax_axis.v
 sepax_projection.v
 sepax_core.v
-sepax_reorder.v
+sepax_queue.v
 sepax_narrow.v
 sepax_top.v

@@ -37,15 +37,8 @@ module sepax_core (
   input  wire signed [17:0] in_b3_x, // taken at the end of an II window
   input  wire signed [17:0] in_b3_y, // taken at the end of an II window
   input  wire signed [17:0] in_b3_z, // taken at the end of an II window
-  input  wire       again,      // take the pair once more, u for x and z for y
-  output wire       flat,       // in cycle 5: all orient2d are zero
-  output wire       separated,  // with it: separated in the projection
-  output wire       disjoint_x, // with it: AABBs disjoint in x
-  output wire       disjoint_z, // with it: AABBs disjoint in z
-  input  wire       second,     // in cycle 9: the pair's second pass
-  input  wire       in_plane,   // in cycle 9: separated if coplanar
-  output wire       coplanar,   // in cycle 9: all orient3d are zero, or a second pass
-  output wire [3:0] axis        // in cycle 9: the axis that separates, or 0
+  output wire       coplanar,   // in cycle 9: all orient3d are zero
+  output wire [3:0] axis        // with it: the axis that separates, or 0
 );
 
   localparam W = 18;     // bits of a coordinate
@@ -53,16 +46,12 @@ module sepax_core (
   localparam Z_W = 21; // of a z sum
   localparam O_W = 22; // of B's z sum
   localparam V_W = 56; // of a signed prism volume or an orient3d
-  localparam DIGITS = 10; // radix-4 digits of a z sum
-  localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
-    {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
   localparam OWN_DIGITS = 11; // of B's z sum
   localparam signed [O_W-1:0] OWN_BIAS =
     {{(O_W+2-2*OWN_DIGITS){1'b0}}, {(OWN_DIGITS-1){2'b01}}};
 
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
   // The vertices of each triangle rotate, one place a cycle.
-  // u is x, or y where all six x are equal: with z it makes the plane of a second pass.
   reg signed [W-1:0] x_a1;
   reg signed [W-1:0] x_a2;
   reg signed [W-1:0] x_a3;
@@ -87,15 +76,6 @@ module sepax_core (
   reg signed [W-1:0] z_b1_hold;
   reg signed [W-1:0] z_b2_hold;
   reg signed [W-1:0] z_b3_hold;
-  reg signed [W-1:0] u_a1_hold;
-  reg signed [W-1:0] u_a2_hold;
-  reg signed [W-1:0] u_a3_hold;
-  reg signed [W-1:0] u_b1_hold;
-  reg signed [W-1:0] u_b2_hold;
-  reg signed [W-1:0] u_b3_hold;
-  wire x_equal;
-  assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
-                   (x_b2 == x_a1) && (x_b3 == x_a1);
 
   // Outputs of the units. _q, _q2 ... are their delay lines; _hold is a holding register.
   wire signed [G_W-1:0] t_0;
@@ -137,9 +117,6 @@ module sepax_core (
   wire [1:0] ox_2;
   wire [1:0] ox_3;
   wire [1:0] ox_4;
-  wire [1:0] oz_0;
-  wire [1:0] oz_1;
-  wire [1:0] oz_2;
   wire [1:0] gs_0;
   wire [1:0] gs_1;
   wire [1:0] gs_2;
@@ -158,12 +135,6 @@ module sepax_core (
   reg signed [G_W-1:0] t_a1b2_hold;
   reg signed [G_W-1:0] t_4_q;
   reg signed [G_W-1:0] t_a1b3_hold;
-  reg [1:0] oz_0_q;
-  reg [1:0] oz_0_q2;
-  reg [1:0] oz_1_q;
-  reg [1:0] oz_1_q2;
-  reg [1:0] oz_2_q;
-  reg [1:0] oz_2_q2;
   reg signed [V_W-1:0] h_0_q;
   reg signed [V_W-1:0] h_0_q2;
   reg signed [V_W-1:0] h_1_q;
@@ -218,12 +189,12 @@ module sepax_core (
   reg [1:0] gos_0_q;
   always @(posedge clk) begin
     if (slot[2]) begin
-      x_a1 <= again ? u_a2_hold : in_a1_x;
-      x_a2 <= again ? u_a3_hold : in_a2_x;
-      x_a3 <= again ? u_a1_hold : in_a3_x;
-      x_b1 <= again ? u_b2_hold : in_b1_x;
-      x_b2 <= again ? u_b3_hold : in_b2_x;
-      x_b3 <= again ? u_b1_hold : in_b3_x;
+      x_a1 <= in_a1_x;
+      x_a2 <= in_a2_x;
+      x_a3 <= in_a3_x;
+      x_b1 <= in_b1_x;
+      x_b2 <= in_b2_x;
+      x_b3 <= in_b3_x;
     end else begin
       x_a1 <= x_a2;
       x_a2 <= x_a3;
@@ -233,12 +204,12 @@ module sepax_core (
       x_b3 <= x_b1;
     end
     if (slot[2]) begin
-      y_a1 <= again ? z_a2_hold : in_a1_y;
-      y_a2 <= again ? z_a3_hold : in_a2_y;
-      y_a3 <= again ? z_a1_hold : in_a3_y;
-      y_b1 <= again ? z_b2_hold : in_b1_y;
-      y_b2 <= again ? z_b3_hold : in_b2_y;
-      y_b3 <= again ? z_b1_hold : in_b3_y;
+      y_a1 <= in_a1_y;
+      y_a2 <= in_a2_y;
+      y_a3 <= in_a3_y;
+      y_b1 <= in_b1_y;
+      y_b2 <= in_b2_y;
+      y_b3 <= in_b3_y;
     end else begin
       y_a1 <= y_a2;
       y_a2 <= y_a3;
@@ -262,13 +233,13 @@ module sepax_core (
       z_b2 <= z_b3;
       z_b3 <= z_b1;
     end
-    if (slot[2]) begin
-      z_a1_hold <= z_a2;
-      z_a2_hold <= z_a3;
-      z_a3_hold <= z_a1;
-      z_b1_hold <= z_b2;
-      z_b2_hold <= z_b3;
-      z_b3_hold <= z_b1;
+    if (slot[1]) begin
+      z_a1_hold <= z_a3;
+      z_a2_hold <= z_a1;
+      z_a3_hold <= z_a2;
+      z_b1_hold <= z_b3;
+      z_b2_hold <= z_b1;
+      z_b3_hold <= z_b2;
     end else begin
       z_a1_hold <= z_a2_hold;
       z_a2_hold <= z_a3_hold;
@@ -276,21 +247,6 @@ module sepax_core (
       z_b1_hold <= z_b2_hold;
       z_b2_hold <= z_b3_hold;
       z_b3_hold <= z_b1_hold;
-    end
-    if (slot[2]) begin
-      u_a1_hold <= x_equal ? y_a2 : x_a2;
-      u_a2_hold <= x_equal ? y_a3 : x_a3;
-      u_a3_hold <= x_equal ? y_a1 : x_a1;
-      u_b1_hold <= x_equal ? y_b2 : x_b2;
-      u_b2_hold <= x_equal ? y_b3 : x_b3;
-      u_b3_hold <= x_equal ? y_b1 : x_b1;
-    end else begin
-      u_a1_hold <= u_a2_hold;
-      u_a2_hold <= u_a3_hold;
-      u_a3_hold <= u_a1_hold;
-      u_b1_hold <= u_b2_hold;
-      u_b2_hold <= u_b3_hold;
-      u_b3_hold <= u_b1_hold;
     end
   end
 
@@ -302,12 +258,6 @@ module sepax_core (
     t_2_q <= t_2;
     t_3_q <= t_3;
     t_4_q <= t_4;
-    oz_0_q <= oz_0;
-    oz_0_q2 <= oz_0_q;
-    oz_1_q <= oz_1;
-    oz_1_q2 <= oz_1_q;
-    oz_2_q <= oz_2;
-    oz_2_q2 <= oz_2_q;
     h_0_q <= h_0;
     h_0_q2 <= h_0_q;
     h_1_q <= h_1;
@@ -534,11 +484,11 @@ module sepax_core (
   wire signed [W-1:0] z_0_op1;
   assign z_0_op1 =
       (slot[2]) ? z_b2 :
-      z_b2_hold;
+      z_b1_hold;
   wire signed [W-1:0] z_0_op3;
   assign z_0_op3 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   sepax_zdiff zdiff_z_0 (
     .clk(clk),
     .z_p(z_0_op1),
@@ -550,11 +500,11 @@ module sepax_core (
   wire signed [W-1:0] z_1_op1;
   assign z_1_op1 =
       (slot[2]) ? z_b3 :
-      z_b3_hold;
+      z_b2_hold;
   wire signed [W-1:0] z_1_op3;
   assign z_1_op3 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   sepax_zdiff zdiff_z_1 (
     .clk(clk),
     .z_p(z_1_op1),
@@ -566,11 +516,11 @@ module sepax_core (
   wire signed [W-1:0] z_2_op1;
   assign z_2_op1 =
       (slot[2]) ? z_b1 :
-      z_b1_hold;
+      z_b3_hold;
   wire signed [W-1:0] z_2_op3;
   assign z_2_op3 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   sepax_zdiff zdiff_z_2 (
     .clk(clk),
     .z_p(z_2_op1),
@@ -582,19 +532,19 @@ module sepax_core (
   wire signed [W-1:0] z_3_op1;
   assign z_3_op1 =
       (slot[2]) ? z_b2 :
-      z_b2_hold;
+      z_b1_hold;
   wire signed [W-1:0] z_3_op2;
   assign z_3_op2 =
       (slot[2]) ? z_b3 :
-      z_b3_hold;
+      z_b2_hold;
   wire signed [W-1:0] z_3_op3;
   assign z_3_op3 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   wire signed [W-1:0] z_3_op4;
   assign z_3_op4 =
       (slot[2]) ? z_a3 :
-      z_a3_hold;
+      z_a2_hold;
   sepax_zsum zsum_z_3 (
     .clk(clk),
     .z_p(z_3_op1),
@@ -608,19 +558,19 @@ module sepax_core (
   wire signed [W-1:0] z_4_op1;
   assign z_4_op1 =
       (slot[2]) ? z_b3 :
-      z_b3_hold;
+      z_b2_hold;
   wire signed [W-1:0] z_4_op2;
   assign z_4_op2 =
       (slot[2]) ? z_b1 :
-      z_b1_hold;
+      z_b3_hold;
   wire signed [W-1:0] z_4_op3;
   assign z_4_op3 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   wire signed [W-1:0] z_4_op4;
   assign z_4_op4 =
       (slot[2]) ? z_a3 :
-      z_a3_hold;
+      z_a2_hold;
   sepax_zsum zsum_z_4 (
     .clk(clk),
     .z_p(z_4_op1),
@@ -634,19 +584,19 @@ module sepax_core (
   wire signed [W-1:0] z_5_op1;
   assign z_5_op1 =
       (slot[2]) ? z_b2 :
-      z_b2_hold;
+      z_b1_hold;
   wire signed [W-1:0] z_5_op2;
   assign z_5_op2 =
       (slot[2]) ? z_b3 :
-      z_b3_hold;
+      z_b2_hold;
   wire signed [W-1:0] z_5_op3;
   assign z_5_op3 =
       (slot[2]) ? z_a2 :
-      z_a2_hold;
+      z_a1_hold;
   wire signed [W-1:0] z_5_op4;
   assign z_5_op4 =
       (slot[2]) ? z_a1 :
-      z_a1_hold;
+      z_a3_hold;
   sepax_zsum zsum_z_5 (
     .clk(clk),
     .z_p(z_5_op1),
@@ -663,11 +613,11 @@ module sepax_core (
       zo_0;
   wire signed [W-1:0] zo_0_op2;
   assign zo_0_op2 =
-      (slot[0]) ? z_b3_hold :
+      (slot[0]) ? z_b2_hold :
       z_b3;
   wire signed [W-1:0] zo_0_op3;
   assign zo_0_op3 =
-      (slot[0]) ? z_a3_hold :
+      (slot[0]) ? z_a2_hold :
       z_a3;
   sepax_own_zsum own_zsum_zo_0 (
     .clk(clk),
@@ -841,11 +791,6 @@ module sepax_core (
     .sign(d_2)
   );
 
-  // Signs of z differences.
-  assign oz_0 = {z_0 > BIAS, z_0 < BIAS};
-  assign oz_1 = {z_1 > BIAS, z_1 < BIAS};
-  assign oz_2 = {z_2 > BIAS, z_2 < BIAS};
-
   // Signs {> 0, < 0} of orient2d.
   assign gs_0 = {!g_0[G_W-1] && (g_0 != {G_W{1'b0}}), g_0[G_W-1]};
   assign gs_1 = {!g_1[G_W-1] && (g_1 != {G_W{1'b0}}), g_1[G_W-1]};
@@ -870,14 +815,16 @@ module sepax_core (
   assign all_x_order = {ox_2_q2,
       ox_4_q2, ox_3_q2, ox_3_q3, ox_2_q3,
       ox_4_q3, ox_4_q4, ox_3_q4, ox_2_q4};
-  wire [9*(2)-1:0] all_z_order;
-  assign all_z_order = {oz_2_q2,
-      oz_1_q2, oz_0_q2, oz_0, oz_2,
-      oz_1, oz_1_q, oz_0_q, oz_2_q};
-  sepax_projection projection (
-    .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
-    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
+  wire separated; // in cycle 5: the pair is separated, if it is coplanar
+  sepax_projection in_plane (
+    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .separated(separated)
   );
+  reg [2-1:0] separated_q; // until cycle 9
+  always @(posedge clk) begin
+    if (slot[2]) begin
+    separated_q <= {separated_q[0:0], separated};
+    end
+  end
 
   // In cycle 9 of a pair:
   wire [3*(2)-1:0] all_s;
@@ -889,8 +836,7 @@ module sepax_core (
       d_2, d_1_q, d_1_q2, d_0_q3,
       d_2_q, d_2_q2, d_1_q3, d_0_q4};
   sepax_decide decide (
-    .second(second),
-    .in_plane(in_plane), .coplanar(coplanar), .axis(axis),
+    .in_plane(separated_q[1]), .coplanar(coplanar), .axis(axis),
     .s(all_s), .w(all_w), .d(all_d)
   );
 

@@ -19,9 +19,8 @@ module sepax_decide (
   input  wire [5:0]  s,        // of A's plane and B_k: [2k +: 2]
   input  wire [5:0]  w,        // of B's plane and A_i: [2i +: 2]
   input  wire [17:0] d,        // of edge i of A and edge j of B: [2(3i + j) +: 2]
-  input  wire        second,   // second pass: known to be coplanar
   input  wire        in_plane, // should the pair be coplanar: it is separated
-  output wire        coplanar, // all orient3d are zero, or a second pass
+  output wire        coplanar, // all orient3d are zero
   output wire [3:0]  axis      // AXIS_...
 );
   localparam [3:0] AXIS_NONE = 4'd0, AXIS_EDGES = 4'd1,
@@ -61,7 +60,7 @@ module sepax_decide (
     end
   end
 
-  assign coplanar = second || ({s, w, d} == 30'd0);
+  assign coplanar = {s, w, d} == 30'd0;
   assign axis = coplanar ? (in_plane ? AXIS_PLANE : AXIS_NONE) :
                 normal_a ? AXIS_NORMAL_A : normal_b ? AXIS_NORMAL_B : edges;
 endmodule

@@ -3,8 +3,7 @@
 #define SEPAX_OPTIONS "--arch=exact --word=18 --ii=3 --coplanar=exact --clock-ns=2"
 #define SEPAX_MAKE "ARCH=exact WORD=18 II=3 COPLANAR=exact CLOCK_NS=2"
 #define SEPAX_WORD 18
-#define SEPAX_LATENCY 12
-#define SEPAX_LATENCY_SECOND_PASS 18
+#define SEPAX_LATENCY 15
 #define SEPAX_II 3
 #define SEPAX_EXACT 1
 #define SEPAX_FLAG 0

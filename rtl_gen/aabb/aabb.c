@@ -56,9 +56,6 @@ void aabb_holes(emit_holes *h, const sepax_design *design) {
                 extents                                   ? ", 13 AABBs, 14 undecided"
                 : design->aabb_test || design->limits > 0 ? ", 13 AABBs"
                                                           : "");
-  const gen_line undecided = gen_format(
-      " && !decided_q[%s]", design->config.target == SEPAX_TARGET_ASIC ? "JUDGED-1" : "BEFORE");
-  emit_hole_set(h, "unless_decided", "%s", design->aabb_test ? undecided.text : "");
   emit_hole_set(h, "decided", extents ? "(in_disjoint || in_exceeds)" : "in_disjoint");
   emit_hole_set(h, "note_in", extents ? "{in_disjoint, in_exceeds}" : "in_disjoint");
   emit_hole_set(h, "exceeded", extents ? "note[0]" : "1'b0");

@@ -220,6 +220,7 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
   p->less = form->less;
   p->sum_w = form->b_w + p->plain;
   p->terms = form->terms;
+  p->open = form->open;
   memcpy(p->addend, form->addend, sizeof p->addend);
   double used = form->used + (p->plain ? delay_adder(m, p->sum_w) : 0);
   int p_w = p->p_w;
@@ -248,7 +249,8 @@ static void plan_in(arith_plan *p, const arith_form *form, double available) {
     }
   }
   double skew = last.stage > 0 ? m->skew_lost : 0;
-  arith_moment end = settle(last, delay_adder(m, p_w) + skew, available);
+  double rest = p->open ? form->behind : delay_adder(m, p_w) + skew;
+  arith_moment end = settle(last, rest, available);
   p->latency = end.stage;
   p->settled = end.time;
   if (p->latency >= ARITH_STAGES) {
@@ -300,8 +302,9 @@ void arith_plan_make(arith_plan *p, const arith_form *form, double period) {
 
 bool arith_same(const arith_plan *plan, const arith_plan *other) {
   return plan->a_w == other->a_w && plan->b_w == other->b_w && plan->p_w == other->p_w &&
-         plan->terms == other->terms && plan->rows == other->rows && plan->plain == other->plain &&
-         plan->less == other->less && plan->latency == other->latency;
+         plan->terms == other->terms && plan->open == other->open && plan->rows == other->rows &&
+         plan->plain == other->plain && plan->less == other->less &&
+         plan->latency == other->latency;
 }
 
 double arith_shortest(const arith_form *form) {

@@ -73,6 +73,8 @@ typedef struct {
   double used;              /* ns spent before b is there */
   int terms; /* 0: a product. Else a sum of so many products a (b - BIAS) and addends */
   arith_addend addend[ARITH_ADDENDS];
+  bool open;     /* gates: no last addition; the sum is that of two numbers, */
+  double behind; /* which whoever reads them has ns for */
 } arith_form;
 
 /* How the multipliers of an FPGA make a product: low bits of a and of b are left to logic; what is
@@ -93,6 +95,7 @@ typedef struct {
   int sum_w; /* bits that are cut into digits: b, or b + BIAS */
   int terms; /* of a sum of products; 0: a product */
   arith_addend addend[ARITH_ADDENDS];
+  bool open;                  /* the sum is that of two numbers, p and q */
   int rows, levels, latency;  /* rows of a product */
   double settled;             /* gates: ns in the last stage until the product is there */
   int registers;              /* bits in all pipeline registers */
@@ -137,7 +140,8 @@ bool arith_row_whole(const arith_plan *plan, int row);
 void gen_multiplier_parts(emitter *e, bool two_less);
 
 /* Its module: sepax_mul_AxB; of a sum of N products, sepax_productsN_AxB; of biased ones
- * sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where digits count two less. */
+ * sepax_mul_AxB_biased, or sepax_mul_AxB_biased_2 where digits count two less; of a sum that
+ * is left open sepax_productsN_AxB_open. */
 gen_line arith_name(const arith_plan *plan);
 
 /* BIAS, decimal. */
@@ -145,7 +149,7 @@ gen_line arith_bias(const arith_plan *plan);
 
 /* Emit the multiplier as a module: ports a, b, p, and clk if its latency is above 0. Of a sum of
  * products a and b hold all factors, the first lowest; ports c, d are the addends that there are.
- */
+ * If the sum is left open, then it is p + q. */
 void gen_multiplier(emitter *e, const arith_plan *plan);
 
 #endif

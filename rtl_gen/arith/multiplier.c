@@ -24,7 +24,8 @@ void gen_multiplier_parts(emitter *e, bool two_less) {
 
 gen_line arith_name(const arith_plan *plan) {
   if (plan->terms > 0) {
-    return gen_format("sepax_products%d_%dx%d", plan->terms, plan->a_w, plan->b_w);
+    return gen_format("sepax_products%d_%dx%d%s", plan->terms, plan->a_w, plan->b_w,
+                      plan->open ? "_open" : "");
   }
   const char *kind = plan->plain ? "" : plan->less == 2 ? "_biased_2" : "_biased";
   return gen_format("sepax_mul_%dx%d%s", plan->a_w, plan->b_w, kind);
@@ -312,6 +313,7 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
                                        {"pad_b", p->p_w - p->b_w},
                                        {"plain", p->plain},
                                        {"terms", p->terms},
+                                       {"open", p->open},
                                        {"latency", p->latency},
                                        {"rows", p->rows},
                                        {"top_row", terms * p->rows - 1},
@@ -327,6 +329,8 @@ static void set_holes(emit_holes *h, const arith_plan *p) {
   emit_hole_set(h, "name", "%s", arith_name(p).text);
   emit_hole_set(h, "bias", "%s", arith_bias(p).text);
   emit_hole_set(h, "biased", p->plain ? "" : " + BIAS");
+  emit_hole_set(h, "ending", p->open ? "no addition" : "one addition");
+  emit_hole_set(h, "plus_q", p->open ? " + q" : "");
   emit_hole_set(h, "recoded", p->plain ? "b + BIAS" : "b");
   emit_hole_set(h, "top", "%s", top_digit(p, 0).text);
 }
@@ -392,8 +396,10 @@ void gen_multiplier(emitter *e, const arith_plan *plan) {
   print_digits(emit_hole_open(&h, "digits"), plan);
   print_addends(emit_hole_open(&h, "addends"), plan);
   print_adders(emit_hole_open(&h, "adders"), plan);
-  out = emit_hole_open(&h, "final");
-  print_terms(out, plan, "+", plan->final, 2, plan->p_w, plan->latency);
+  for (int row = 0; row < 2; row++) {
+    out = emit_hole_open(&h, row == 0 ? "first" : "second");
+    print_bits(out, plan, plan->final[row], plan->p_w, plan->latency);
+  }
   if (plan->terms > 0) {
     set_formula(&h, plan);
   }

@@ -51,7 +51,7 @@ module @name@ (
 @digits@
 @adders@
   // The last two rows.
-  assign p =@final@;
+  assign p =@first@ +@second@;
 `endif
 
 endmodule

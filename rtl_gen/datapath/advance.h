@@ -16,6 +16,7 @@ enum { ADVANCE_CYCLES = 256 };
 
 typedef struct {
   bool gated; /* registers have enables */
+  bool ahead; /* a pair is here before it enters the first registers */
   bool used[ADVANCE_CYCLES];
   int ii;
   bool copied;                   /* each II window has a copy of the slot */

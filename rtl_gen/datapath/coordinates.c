@@ -6,7 +6,7 @@
 
 #include <stdlib.h>
 
-enum { X, Y, Z, U, AXES };
+enum { Z = 2, AXES };
 
 void coordinates_need(coordinates *c, int axis, int v, int cycle) {
   int *end = &c->axis[axis].end[v];
@@ -35,14 +35,6 @@ static void lay_out(coordinates_axis *a, int ii, int change) {
 }
 
 void coordinates_store(coordinates *c, int z_change) {
-  int end[AXES]; /* of the units */
-  for (int axis = 0; axis < AXES; axis++) {
-    end[axis] = last_end(&c->axis[axis]);
-  }
-  for (int v = 0; v < 6 && c->second_pass; v++) {
-    coordinates_need(c, U, v, c->again);
-    coordinates_need(c, Z, v, c->again);
-  }
   for (int axis = 0; axis < AXES; axis++) {
     lay_out(&c->axis[axis], c->ii, 0);
   }
@@ -51,20 +43,13 @@ void coordinates_store(coordinates *c, int z_change) {
   if (c->axis[Z].banks > fewest) {
     lay_out(&c->axis[Z], c->ii, 0);
   }
-  for (int axis = 0; axis < AXES; axis++) {
-    coordinates_axis *a = &c->axis[axis];
-    while (c->rotate && a->rotated < a->banks &&
-           (!c->still || a->rotated == 0 || a->start[a->rotated] < end[axis])) {
-      a->rotated++;
-    }
-  }
 }
 
-/* Bank 0 of u is x. Is a register of the others there: read, or rotated, or moved on? */
+/* Is a register of a bank behind the first there: read, or rotated, or moved on? */
 static bool is_there(const coordinates *c, int axis, int v, int bank) {
   const coordinates_axis *a = &c->axis[axis];
   if (bank == 0) {
-    return axis != U;
+    return true;
   }
   int end = a->end[v];
   for (int k = 0; k < 3 && c->rotate; k++) {
@@ -88,15 +73,11 @@ static gen_line register_name(int axis, int v, int bank) {
   return gen_format(bank > 1    ? "%c_%s_hold%d"
                     : bank == 1 ? "%c_%s_hold"
                                 : "%c_%s",
-                    "xyzu"[axis], graph_vertex_name(v), bank);
+                    "xyz"[axis], graph_vertex_name(v), bank);
 }
 
 static gen_line source_in(const coordinates *c, int axis, int v, int bank, int cycle) {
-  if (axis == U && bank == 0) {
-    return gen_format("(x_equal ? %s : %s)", source_in(c, Y, v, 0, cycle).text,
-                      source_in(c, X, v, 0, cycle).text);
-  }
-  int turned = bank < c->axis[axis].rotated ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
+  int turned = c->rotate ? (cycle - c->axis[axis].start[bank]) % 3 : 0;
   return register_name(axis, v / 3 * 3 + (v % 3 - turned + 3) % 3, bank);
 }
 
@@ -121,19 +102,12 @@ void coordinates_declare(const coordinates *c, emit_text *out) {
   }
 }
 
-/* A register takes its coordinate over from the bank before, or from the input, or, for a second
- * pass, from the last banks: u for x and z for y. */
+/* A register takes its coordinate over from the bank before, or from the input. */
 static void load(const coordinates *c, emit_text *out, int axis, int v, int bank) {
   int before = c->axis[axis].start[bank] - 1;
-  if (axis == U && bank == 1) {
-    text_printf(out, "x_equal ? %s : %s;\n", source_in(c, Y, v, 0, before).text,
-                source_in(c, X, v, 0, before).text);
-  } else if (bank > 0) {
+  if (bank > 0) {
     text_printf(out, "%s;\n", source_in(c, axis, v, bank - 1, before).text);
   } else {
-    if (c->second_pass && axis != Z) {
-      text_printf(out, "again ? %s : ", coordinates_source(c, axis == X ? U : Z, v, c->again).text);
-    }
     text_printf(out, "in_%s_%c;\n", graph_vertex_name(v), "xyz"[axis]);
   }
 }
@@ -154,7 +128,7 @@ static void move(const coordinates *c, emit_text *out, int axis, int bank, bool 
 
 void coordinates_clock(const coordinates *c, advance *a, emit_text *out) {
   for (int axis = 0; axis < AXES; axis++) {
-    for (int bank = axis == U; bank < c->axis[axis].banks; bank++) {
+    for (int bank = 0; bank < c->axis[axis].banks; bank++) {
       int start = c->axis[axis].start[bank];
       int depth = 4;
       if (a->gated) {
@@ -164,11 +138,11 @@ void coordinates_clock(const coordinates *c, advance *a, emit_text *out) {
       if (c->ii > 1) {
         const gen_line slot = advance_slot(a, start, start + c->ii - 1);
         text_printf(out, "%*sif (%s) begin\n", depth, "",
-                    a->gated && bank == 0 ? "last" : slot.text);
+                    a->gated && !a->ahead && bank == 0 ? "last" : slot.text);
         depth += 2;
       }
       move(c, out, axis, bank, false, depth);
-      if (bank < c->axis[axis].rotated) {
+      if (c->rotate) {
         text_printf(out, "%*send else begin\n", depth - 2, "");
         move(c, out, axis, bank, true, depth);
       }

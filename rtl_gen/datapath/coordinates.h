@@ -10,24 +10,20 @@
 
 enum { COORDINATES_BANKS = 40 };
 
-/* Registers of one axis: x, y, z, or u, which is x, or y where all six x are equal. */
+/* Registers of one axis: x, y or z. */
 typedef struct {
   int start[COORDINATES_BANKS]; /* first cycle of each bank; each holds for II cycles */
   int banks;
-  int end[6];  /* of a vertex: the cycle behind its last read; 0: it is never read */
-  int rotated; /* banks that rotate, the first ones */
+  int end[6]; /* of a vertex: the cycle behind its last read; 0: it is never read */
 } coordinates_axis;
 
 typedef struct {
   int ii;
-  bool rotate;      /* 3 divides ii */
-  bool still;       /* banks that no unit reads do not rotate */
-  bool second_pass; /* a pair may be taken once more, with u for x and z for y */
-  int again;        /* the cycle in which it is */
-  coordinates_axis axis[4];
+  bool rotate; /* 3 divides ii */
+  coordinates_axis axis[3];
 } coordinates;
 
-/* Vertex v is read in this cycle; axis 0 ... 3 are x, y, z, u. */
+/* Vertex v is read in this cycle; axis 0 ... 2 are x, y, z. */
 void coordinates_need(coordinates *c, int axis, int v, int cycle);
 
 /* All needs are known: lay out the banks. z's first change is in cycle `z_change` where that

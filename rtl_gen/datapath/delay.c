@@ -25,7 +25,6 @@ static const delay_model nangate45 = {
     .fixed_slots = 0.12,
     .shared_value = 0.15,
     .sums = {0.125, 0.022, 19},
-    .orient2d_sign = 1.0,
     .decide = 0.45,
     .ripple = 0.085,
     .overlap = 0.18,
@@ -39,12 +38,12 @@ static const delay_model nangate45 = {
 /* Of a family: clock to output, a wire, a table, onto a carry chain, along it a bit, off it. A
  * level of logic is what it takes and the wire behind it; a chain has no wire behind it, since its
  * sum is taken by a register beside it. */
-#define OF_FAMILY(clk, wire, lut, on, bit, off)                                                  \
-  .family = true, .reg = (clk) + (wire), .adder = {(on) + (off), 0, (bit)},                      \
-  .test = {0, 0.5 * ((lut) + (wire))}, .mux = {0, (lut) + (wire)}, .sum = (wire) + (on) + (off), \
-  .slot = 0.8 * (wire), .operands = {0.8 * (wire), 0}, .fixed_slots = 0.5 * ((lut) + (wire)),    \
-  .shared_value = 0.4 * (wire), .orient2d_sign = (lut) + (wire), .aabb = 2 * ((lut) + (wire)),   \
-  .product = 2.5 * (lut) + 2 * (wire), .flip_flop = 17, .enabled_flip_flop = 18
+#define OF_FAMILY(clk, wire, lut, on, bit, off)                                                    \
+  .family = true, .reg = (clk) + (wire), .adder = {(on) + (off), 0, (bit)},                        \
+  .test = {0, 0.5 * ((lut) + (wire))}, .mux = {0, (lut) + (wire)}, .sum = (wire) + (on) + (off),   \
+  .slot = 0.8 * (wire), .operands = {0.8 * (wire), 0}, .fixed_slots = 0.5 * ((lut) + (wire)),      \
+  .shared_value = 0.4 * (wire), .aabb = 2 * ((lut) + (wire)), .product = 2.5 * (lut) + 2 * (wire), \
+  .flip_flop = 17, .enabled_flip_flop = 18
 
 static const delay_model families[] = {
     [SEPAX_TARGET_ICE40] = {.library = "iCE40",

@@ -25,19 +25,18 @@ typedef struct {
   double skew_lost; /* low columns settle early, which helps the last addition, but not behind a
                        pipeline register */
   /* Fan-outs: */
-  double slot;          /* of a slot bit over the multiplexers of a unit */
-  double operands[2];   /* of slot bits before operands of shared units: a + b log2 (W / 8) */
-  double fixed_slots;   /* more of it where coordinates do not rotate */
-  double shared_value;  /* of a value that many units read */
-  double sums[3];       /* of a trapezoid's sums over its rows: a + b (width - c), at least 0 */
-  double orient2d_sign; /* of a zero test of an orient2d, and what its sign steers */
-  double decide;        /* of the verdict, from the signs of orient3d */
-  double ripple;        /* of a bit of an addition that is a chain of full adders */
-  double overlap;       /* of two units in a chain: the second begins with the low bits */
-  double aabb;          /* of the AABB test: bounds, comparison, isolation of the coordinates */
-  double engine;        /* of the object engine: a queue read, what is counted and compared of it */
-  double product;       /* of an FPGA's multiplier */
-  double slow;          /* how many times slower the cells of the slow corner are */
+  double slot;         /* of a slot bit over the multiplexers of a unit */
+  double operands[2];  /* of slot bits before operands of shared units: a + b log2 (W / 8) */
+  double fixed_slots;  /* more of it where coordinates do not rotate */
+  double shared_value; /* of a value that many units read */
+  double sums[3];      /* of a trapezoid's sums over its rows: a + b (width - c), at least 0 */
+  double decide;       /* of the verdict, from the signs of orient3d */
+  double ripple;       /* of a bit of an addition that is a chain of full adders */
+  double overlap;      /* of two units in a chain: the second begins with the low bits */
+  double aabb;         /* of the AABB test: bounds, comparison, isolation of the coordinates */
+  double engine;       /* of the object engine: a queue read, what is counted and compared of it */
+  double product;      /* of an FPGA's multiplier */
+  double slow;         /* how many times slower the cells of the slow corner are */
   /* Thirds of a gate equivalent a bit: */
   int flip_flop, enabled_flip_flop;
 } delay_model;

@@ -19,7 +19,7 @@ static const schedule_producer *producer_of(const datapath *d, const graph_kind 
 /* What is high in this cycle of the II window: a bit of the slot, or its copy of this name, which
  * is made of the bit a cycle earlier. On an FPGA each II window has a copy instead. With enables
  * the bit is 0 while no pair is here, so the copy of slot 0, in which a pair begins, is made of the
- * end of the window. */
+ * end of the window, unless pairs are here before. */
 static gen_line slot_name(const emission *e, const char *copies, int begin, int cycle) {
   int ii = e->d->schedule.ii;
   int slot = cycle % ii;
@@ -29,7 +29,7 @@ static gen_line slot_name(const emission *e, const char *copies, int begin, int 
   const gen_line name = gen_format("slot_%s_%d", copies, slot);
   const gen_line wire = gen_format("  wire %s;\n", name.text);
   if (strstr(text_so_far(e->text), wire.text) == NULL) {
-    const gen_line before = e->advance->gated && slot == 0
+    const gen_line before = e->advance->gated && !e->advance->ahead && slot == 0
                                 ? gen_format("last")
                                 : gen_format("slot[%d]", (slot + ii - 1) % ii);
     text_printf(e->text,

@@ -56,16 +56,11 @@ static void limit(chain *c, double orient2d) {
   end_at(c, selected(c, orient2d) + 2 * maximum);
 }
 
-/* The plane judged from orient2d, and the second pass that follows from it; the verdict that needs
- * to know the plane in its own cycle. */
+/* The plane judged from orient2d; the verdict that needs to know the plane in its own cycle. */
 static void judge(chain *c, double orient2d, double sign) {
   const delay_model *m = c->p->delay;
   double plane = orient2d + delay_test(m, c->p->design->exact_format[SEPAX_X_ORIENT2D].width);
-  if (!c->p->single && c->p->stages.sign == 0) {
-    end_at(c, plane + m->orient2d_sign);
-    sign = fmax(sign, plane);
-  }
-  end_at(c, sign + m->decide);
+  end_at(c, fmax(sign, c->p->single ? 0 : plane) + m->decide);
 }
 
 double exact_chain_time(const exact_plan *p, unsigned chained) {
@@ -106,6 +101,7 @@ double exact_ripple_time(const exact_plan *p) {
   double test = p->design->aabb_test
                     ? m->reg + m->aabb + 3 * (m->adder[0] + m->ripple * p->design->config.word)
                     : 0;
+  test = fmax(test, exact_axis_ripple_time(p));
   return fmax(test, exact_chain_time(p, EXACT_CHAIN_ALL) - delay_adder(m, widest) + m->adder[0] +
                         m->ripple * widest);
 }

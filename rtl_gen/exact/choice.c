@@ -47,23 +47,24 @@ static bool place(exact_plan *p, double period) {
 
 /* What plans of a step depend on. */
 typedef struct {
-  int of[24];
+  int of[27];
 } placement;
 
 /* Could a plan of this step be another one than those of the step before? */
 static bool is_new(const exact_plan *p, double period, placement *before) {
   const exact_stages *s = &p->stages;
-  const arith_plan *const multiplier[] = {&s->trapezoid, &s->prism, &s->own_prism,
-                                          &s->prism_of_two};
-  placement now = {{s->trapezoid_sums, s->orient3d, s->orient3d_latency, s->fetch_2d, s->fetch_3d,
-                    s->slot_copies, s->own_zsum, s->zdiff_shared, s->sign, s->most, s->total}};
-  for (int i = 0; i < 4; i++) {
+  const arith_plan *const multiplier[] = {&s->trapezoid, &s->prism, &s->own_prism, &s->prism_of_two,
+                                          &s->axis.product};
+  placement now = {{exact_axis_latency(p), s->trapezoid_sums, s->orient3d, s->orient3d_latency,
+                    s->fetch_2d, s->fetch_3d, s->slot_copies, s->own_zsum, s->zdiff_shared, s->most,
+                    s->total}};
+  for (int i = 0; i < 5; i++) {
     now.of[11 + 3 * i] = multiplier[i]->latency;
     now.of[12 + 3 * i] = multiplier[i]->registers;
     now.of[13 + 3 * i] = multiplier[i]->cut.parts;
   }
   for (unsigned chained = 0; chained <= EXACT_CHAIN_ALL; chained++) {
-    now.of[23] |= exact_may_chain(p, chained, period) << chained;
+    now.of[26] |= exact_may_chain(p, chained, period) << chained;
   }
   bool same = memcmp(&now, before, sizeof now) == 0;
   *before = now;

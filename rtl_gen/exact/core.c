@@ -6,14 +6,14 @@
 static void set_numbers(emit_holes *h, const exact_plan *p) {
   const sepax_format *f = p->design->exact_format;
   int ii = p->design->config.ii;
+  int waits = exact_waits(p);
   emit_hole_set(h, "every", ii > 1 ? "%d cycles" : "cycle", ii);
   emit_hole_numbers(
       h, (emit_number[]){{"slots", ii > 1},
                          {"last_slot", ii - 1},
-                         {"passes", !p->single},
-                         {"x_equal_q", ii > 1 && p->delay->family},
+                         {"plane", !p->single},
+                         {"waits", waits},
                          {"copied", p->datapath.advance.copied},
-                         {"x_equal_q2", ii > 2 && p->delay->family},
                          {"rotate", p->datapath.coordinates.rotate},
                          {"plane_cycle", p->plane_cycle},
                          {"projection_cycle", exact_projection_cycle(p)},
@@ -26,6 +26,10 @@ static void set_numbers(emit_holes *h, const exact_plan *p) {
                          {"t_units", p->datapath.graph.kind[p->graph.kind.trapezoid[0]].units},
                          {"h_units", (18 + ii - 1) / ii + 1},
                          {NULL, 0}});
+  emit_hole_set(h, "separated_next", waits > 1 ? "{separated_q[%d:0], separated}" : "separated",
+                waits - 2);
+  const gen_line waited = gen_format("separated_q[%d]", waits - 1);
+  emit_hole_set(h, "in_plane", "%s", p->single ? "1'b0" : waits > 0 ? waited.text : "separated");
 }
 
 /* The first cycle of a kind's units. */
@@ -48,15 +52,17 @@ static void set_buses(emit_holes *h, const char *name, const exact_plan *p, cons
   emit_hole_close(h);
 }
 
-/* Enables that the core reads, as its ports and as the control connects them: advance_0 from what
- * comes, the others from live_q. */
+/* Enables that the core reads, as its ports and as the control connects them: by live_q, which
+ * counts from the cycle behind the one that takes a pair; what loads then is enabled by what comes.
+ */
 static void set_advances(emit_holes *h, const exact_plan *p) {
   const advance *a = &p->datapath.advance;
   bool shared = p->design->config.ii > 1;
   bool chained = p->stages.chained != 0;
+  int ahead = exact_axis_latency(p);
   /* Chained units select their operands until the verdict, behind the last registers. */
-  int last = shared && chained && p->verdict_cycle > 1 ? p->verdict_cycle : 1;
-  bool read = shared;
+  int last = shared && chained && p->verdict_cycle > 1 ? p->verdict_cycle : shared || ahead == 0;
+  bool read = shared || ahead > 0;
   emit_text *out = emit_hole_open(h, "advances");
   for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
     if (a->used[cycle]) {
@@ -69,13 +75,15 @@ static void set_advances(emit_holes *h, const exact_plan *p) {
   out = emit_hole_open(h, "advance_ports");
   for (int cycle = 0; cycle < ADVANCE_CYCLES; cycle++) {
     if (a->used[cycle]) {
-      const gen_line live = gen_format("live_q[%d]", cycle - 1);
-      text_printf(out, "    .advance_%d(%s),\n", cycle, cycle == 0 ? "load" : live.text);
+      const gen_line live = gen_format("live_q[%d]", ahead + cycle - 1);
+      text_printf(out, "    .advance_%d(%s),\n", cycle, ahead + cycle == 0 ? "load" : live.text);
     }
   }
   emit_hole_close(h);
+  emit_hole_set(h, "begins_at_last", a->gated && ahead == 0 ? "1" : "0");
   emit_hole_set(h, "slot_rests", a->gated ? "; 0 without a pair" : "");
   emit_hole_set(h, "live", a->gated && read ? "1" : "0");
+  last += ahead;
   emit_hole_set(h, "live_msb", "%d", last - 1);
   emit_hole_set(h, "live_zero", "%d'd0", last);
   emit_hole_set(h, "live_next", last > 1 ? "{live_q[%d:0], first}" : "first", last - 2);
@@ -98,6 +106,10 @@ void gen_exact_core(emitter *e, exact_plan *p, emit_holes *h) {
   set_start(h, "d_cycle", p, p->graph.d[0][0]);
   emit_hole_set(h, "v_cycle", "%2d", p->verdict_cycle);
   set_inputs(h, p);
+  if (p->design->config.ii > 1) {
+    const gen_line slot = advance_slot(&p->datapath.advance, p->plane_cycle, p->plane_cycle);
+    emit_hole_set(h, "plane_slot", "%s", slot.text);
+  }
   emission_holes(&p->datapath, h);
   set_advances(h, p);
   set_buses(h, "plane", p, p->graph.projection, exact_projection_cycle(p));

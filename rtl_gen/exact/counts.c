@@ -161,6 +161,7 @@ exact_parts exact_parts_of(const exact_plan *p) {
       }
     }
   }
+  exact_axis_count(p, &parts);
   return parts;
 }
 

@@ -37,9 +37,6 @@ static void start_units(exact_plan *p) {
   }
   int z_start = p->delay->family ? start - start % p->design->config.ii : start;
   times_start(d, k->zsum, z_start);
-  if (!p->single) {
-    times_start(d, k->order_z, z_start + exact_zsum_latency(p)); /* of z sums behind their units */
-  }
   /* A running sum takes three cycles; if it cannot begin so early, then the orient2d waits. */
   int own_start = own + exact_zsum_latency(p) - exact_own_zsum_latency(p) - (p->running ? 2 : 0);
   own_start = own_start > 0 ? own_start : 0;
@@ -64,10 +61,10 @@ void exact_schedule(exact_plan *p) {
   p->datapath.schedule.ii = config->ii;
   p->datapath.chains = p->delay->family;
   p->datapath.advance = (advance){.gated = config->clock_gating,
+                                  .ahead = !p->single,
                                   .ii = config->ii,
                                   .copied = p->delay->family && config->ii > 1};
-  p->datapath.coordinates =
-      (coordinates){.ii = config->ii, .rotate = config->ii % 3 == 0, .still = p->delay->family};
+  p->datapath.coordinates = (coordinates){.ii = config->ii, .rotate = config->ii % 3 == 0};
   exact_graph_make(p);
   if (p->running) {
     rotate_classes(p);
@@ -76,7 +73,5 @@ void exact_schedule(exact_plan *p) {
   start_units(p);
   exact_place_judges(p);
   schedule_store(&p->datapath.schedule, p->delay);
-  p->datapath.coordinates.second_pass = !p->single;
-  p->datapath.coordinates.again = p->plane_cycle;
   coordinates_store(&p->datapath.coordinates, p->datapath.graph.kind[p->graph.kind.zsum].start[0]);
 }

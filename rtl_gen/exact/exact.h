@@ -22,8 +22,21 @@ static inline bool exact_is_chained(unsigned chained, unsigned kinds) {
   return (chained & kinds) == kinds;
 }
 
+/* What sepax_axis does one after the other before its products; a register may stand behind each.
+ */
+enum { AXIS_COMPARED, AXIS_PICKED, AXIS_DIFFERENCES, AXIS_CHOSEN, AXIS_CUTS };
+
+/* Registers of sepax_axis, besides those of the pair: axis.c. */
+typedef struct {
+  bool cut[AXIS_CUTS];
+  arith_plan product; /* gates: both products and what is left of their sum; FPGA: one of them */
+  bool in_turn;       /* gates: they take turns, in the cycle of this product and the next */
+  bool late;          /* behind that test */
+} exact_axis;
+
 /* Registers inside the units, and the longest stage that is left: stages.c. */
 typedef struct {
+  exact_axis axis;
   arith_plan trapezoid, prism, own_prism;
   arith_plan prism_of_two; /* where the z sum is a sum of two differences */
   bool trapezoid_sums;     /* between a trapezoid's sums and its product */
@@ -33,7 +46,6 @@ typedef struct {
   bool slot_copies;        /* of what selects operands of orient2d and of z sums */
   bool own_zsum;           /* inside B's z sum */
   bool zdiff_shared; /* z sums are sums of z differences, which settle in the same cycle (II = 1) */
-  bool sign;         /* behind the sign of an orient2d */
   unsigned chained;  /* kinds without a register behind them: a set of EXACT_CHAIN_ */
   bool most, total;  /* inside a limit: behind its first maximum, its products */
   double shortest;   /* the period in ns that the longest stage needs */
@@ -50,7 +62,7 @@ typedef struct {
 /* Kinds that start in a cycle of their own; others start as soon as they can. */
 typedef struct {
   int trapezoid[3], orient2d[3], own_orient2d[3];
-  int zdiff, zsum, order_z, own_zdiff, own_zsum, prism, running_sum;
+  int zdiff, zsum, own_zdiff, own_zsum, prism, running_sum;
 } exact_kinds;
 
 /* Values by vertices: 0 ... 2 are A's, 3 ... 5 B's; by projection: on xy, yz, zx. Projections 1 and
@@ -71,16 +83,16 @@ typedef struct {
   const sepax_design *design;
   const delay_model *delay;
   int limits;       /* of a clearance, 0 ... 2; with it orient3d comes whole, not as a sign */
-  bool single;      /* no pair takes a second pass: the plane is not judged */
+  bool single;      /* coplanar pairs are not decided in their plane, and any projection does */
   bool running;     /* orient3d of A's plane and B's z sum are summed term by term (II = 3) */
   bool own_running; /* orient2d of A and of B, too; B's z sum of differences behind a register */
   exact_stages stages;
   exact_graph graph;
   datapath datapath;
-  int plane_cycle;   /* signs of orient2d are judged; last cycle of an II window */
+  int plane_cycle;   /* it is known whether the pair is separated if it is coplanar */
   bool ripple;       /* there is time for adders that are chains of full adders */
-  bool at_once;      /* the verdict is in the same cycle */
-  int verdict_cycle; /* the pair is judged; counted from the first registers, as all cycles are */
+  int verdict_cycle; /* the pair is judged; counted from the core's first registers, as all cycles
+                      */
 } exact_plan;
 
 /* Schedule the design. Fails if the clock is too fast for a stage that has no place for
@@ -89,6 +101,14 @@ bool exact_plan_make(exact_plan *p, const sepax_design *design, sepax_error *err
 
 /* Place registers inside the units for this period in ns at the typical corner. */
 void exact_stages_make(exact_plan *p, double period);
+
+/* axis.c: place the registers of sepax_axis for stages of so many ns; returns the longest stage
+ * that has no place for a register. Then its latency, 0 if the design has none. */
+double exact_axis_place(exact_plan *p, double available);
+int exact_axis_latency(const exact_plan *p);
+
+/* Its longest stage in ns, an upper estimate, if each adder is a chain of full adders. */
+double exact_axis_ripple_time(const exact_plan *p);
 
 /* Cycles from the operands to the result. */
 int exact_trapezoid_latency(const exact_plan *p);
@@ -127,20 +147,23 @@ typedef struct {
 } exact_parts;
 exact_parts exact_parts_of(const exact_plan *p);
 
-/* Flip-flops of sepax_narrow and its reorder buffer. */
+/* axis.c: add those of sepax_axis. */
+void exact_axis_count(const exact_plan *p, exact_parts *parts);
+
+/* Flip-flops of sepax_narrow and its queue. */
 int exact_control_count(const exact_plan *p);
 
 /* Schedule the stages of the plan. */
 void exact_schedule(exact_plan *p);
 
 /* latency.c: the cycles of both judges, and the latency that follows: from a pair taken to its
- * verdict, both counted; of sepax_narrow, and of sepax_top. */
+ * verdict, both counted; of sepax_narrow, and of sepax_top. It is that of every pair. */
 void exact_place_judges(exact_plan *p);
 int exact_narrow_latency(const exact_plan *p);
 int exact_latency(const exact_plan *p);
 
-/* The latency of a pair that takes a second pass; 0 if no pair does. */
-int exact_second_pass(const exact_plan *p);
+/* Registers in which it waits until the verdict whether the pair is separated in its plane. */
+int exact_waits(const exact_plan *p);
 
 /* The cycle in which signs are taken for the plane: on an FPGA two before it is judged. */
 int exact_projection_cycle(const exact_plan *p);
@@ -185,5 +208,6 @@ bool gen_exact(emitter *e);
 /* Modules; what one of them sets in the list of holes, the next finds there or sets anew. */
 void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h);
 void gen_exact_core(emitter *e, exact_plan *p, emit_holes *h);
+void gen_axis(emitter *e, const exact_plan *p, emit_holes *h);
 
 #endif

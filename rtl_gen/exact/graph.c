@@ -70,10 +70,6 @@ static const graph_row
   orient3d_edges = {"d", "sepax_orient3d_edges", NULL, {"p", "q", "r", "s"}, 2, "sign", "2",
     false, NULL, NULL, true},
   order_x = {"ox", NULL, NULL, {NULL}, 0, "order", "2", false, NULL, NULL, false},
-  order_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, "{@ > BIAS, @ < BIAS}",
-    "Signs of z differences.", false},
-  sign_z = {"oz", NULL, NULL, {"z"}, 0, NULL, "2", false, SIGN_OF("Z_W"),
-    "Signs of z differences.", false},
   sign = {"gs", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"),
     "Signs {> 0, < 0} of orient2d.", false},
   own_sign = {"gos", NULL, NULL, {"g"}, 0, NULL, "2", false, SIGN_OF("G_W"), NULL, false},
@@ -316,17 +312,14 @@ static void make_orient3d(exact_plan *p) {
 
 /* -------------------------------------------------------------- what is read of it */
 
-/* Signs for the coplanar pair, with the order of vertices in x and z. */
+/* Signs for the coplanar pair, with the order of vertices in x. */
 static void make_projection(exact_plan *p) {
   exact_graph *e = &p->graph;
-  graph *g = e->graph;
   int in_x = add_kind(e, &order_x, exact_order_latency(p));
-  int in_z = e->kind.order_z = add_kind(e, p->delay->family ? &sign_z : &order_z, 0);
   int of_both = add_kind(e, &sign, 0);
   int of_one = add_kind(e, &own_sign, 0);
-  enum { G_A, G_B, G_OWN, X, Z };
-  static const char *const port[] = {
-      [G_A] = "g_a", [G_B] = "g_b", [G_OWN] = "g_own", [X] = "x_order", [Z] = "z_order"};
+  enum { G_A, G_B, G_OWN, X };
+  static const char *const port[] = {"g_a", "g_b", "g_own", "x_order"};
   exact_bus *bus = e->projection;
   for (size_t i = 0; i < sizeof port / sizeof port[0]; i++) {
     bus[i].port = port[i];
@@ -340,12 +333,9 @@ static void make_projection(exact_plan *p) {
       continue;
     }
     int b = v.k - 3;
-    int third = exact_a(v.j + 1); /* of which the z sum is z_k - z_third */
-    graph_value z = g->node[e->h[v.i][v.j][v.k]].operand[1];
     bus[G_A].value[3 * v.i + b] = s;
     bus[X].value[3 * v.i + b] =
-        graph_add(g, in_x, GRAPH_OF(v.i, v.k), GRAPH_NONE, e->t[0][v.i][v.k]);
-    bus[Z].value[3 * third + b] = graph_add(g, in_z, GRAPH_OF(third, v.k), GRAPH_IN(z), z);
+        graph_add(e->graph, in_x, GRAPH_OF(v.i, v.k), GRAPH_NONE, e->t[0][v.i][v.k]);
   }
   graph_value b = e->g[0][3][4][5];
   graph_value a = e->g[0][0][1][2];

@@ -4,11 +4,11 @@
  *
  * - 1, the cycle that takes the pair;
  * - 0, 1 or 2, the AABB test before the core (aabb_latency);
+ * - the cycles of sepax_axis, which chooses the projection (exact_axis_latency);
  * - 1 + verdict_cycle, the datapath: from the cycle in which the pair stands in the first registers
  *   to the one in which it is judged. The target period places registers in the units (stages.c).
- *   The II says how many operations take turns in a unit, and when each starts (cycles.c). A design
- *   that may send a pair through a second pass judges the plane first;
- * - 1, on an FPGA 2, from the verdict to its cycle, in which the reorder buffer holds it. */
+ *   The II says how many operations take turns in a unit, and when each starts (cycles.c);
+ * - 1, on an FPGA 2, from the verdict to its cycle, in which the queue holds it. */
 #include "aabb/aabb.h"
 #include "exact.h"
 
@@ -68,34 +68,29 @@ int exact_orient3d_latency(const exact_plan *p) {
   return exact_is_chained(p->stages.chained, EXACT_CHAIN_D) ? 0 : p->stages.orient3d_latency;
 }
 
-/* The pair as if coplanar is judged in the last cycle of an II window, so that a second pass takes
- * the next one; the verdict when all is there. */
+/* The pair is judged as if it were coplanar, then, when all is there, in space. Behind the judge of
+ * the plane is a register, but in a period that has time for chained units, which has time for
+ * both. */
 void exact_place_judges(exact_plan *p) {
-  int ii = p->design->config.ii;
-  int windows = 0;
   times_need_operands(&p->datapath);
+  int soonest = 0;
   if (!p->single) {
-    int needed = p->stages.sign + 2 * p->delay->family;
-    windows = (latest_defined(p, p->graph.projection) + needed + ii) / ii;
-    p->plane_cycle = windows * ii - 1;
+    p->plane_cycle = latest_defined(p, p->graph.projection) + 2 * p->delay->family;
     need_all(p, p->graph.projection, exact_projection_cycle(p));
+    soonest = p->plane_cycle + (p->stages.chained == 0);
   }
-  /* The period of chained units has time for both. */
-  bool at_once = !p->single && p->stages.chained != 0;
-  int soonest = at_once ? p->plane_cycle : windows * ii;
   int defined = latest_defined(p, p->graph.verdict);
   p->verdict_cycle = defined > soonest ? defined : soonest;
-  p->at_once = at_once && p->verdict_cycle == p->plane_cycle;
   need_all(p, p->graph.verdict, p->verdict_cycle);
 }
 
-int exact_narrow_latency(const exact_plan *p) {
-  return 1 + (1 + p->verdict_cycle) + 1 + p->delay->family;
+int exact_waits(const exact_plan *p) {
+  int ii = p->design->config.ii;
+  return p->single ? 0 : (p->verdict_cycle - p->plane_cycle + ii - 1) / ii;
 }
 
-/* The second pass begins in the window after the one in which the plane is judged. */
-int exact_second_pass(const exact_plan *p) {
-  return p->single ? 0 : exact_latency(p) + p->plane_cycle + 1;
+int exact_narrow_latency(const exact_plan *p) {
+  return 1 + exact_axis_latency(p) + (1 + p->verdict_cycle) + 1 + p->delay->family;
 }
 
 int exact_latency(const exact_plan *p) { return aabb_latency(p->design) + exact_narrow_latency(p); }

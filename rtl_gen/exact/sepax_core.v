@@ -12,28 +12,13 @@ module sepax_core (
   input  wire       clk,        // clock
 //@ if slots
   input  wire [@last_slot@:0] slot,       // bit k: cycle k of the II window, one-hot@slot_rests@
-  input  wire       last,       // the II window ends //@ gated
+  input  wire       last,       // the II window ends //@ begins_at_last
 //@ end
 @advances@ //@ gated
 @inputs@
-//@ if passes
-  input  wire       again,      // take the pair once more, u for x and z for y
-  output wire       flat_soon,  // flat of the cycle behind //@ chain
-  output wire       flat,       // in cycle @plane_cycle@: all orient2d are zero
-  output wire       separated,  // with it: separated in the projection
-  output wire       disjoint_x, // with it: AABBs disjoint in x
-  output wire       disjoint_z, // with it: AABBs disjoint in z
-  input  wire       second,     // in cycle @verdict_cycle@: the pair's second pass
-//@ end
-//@ if limits
   output wire       coplanar,   // in cycle @result_cycle@: all orient3d are zero
-  output wire [1:0] band,       // with it: 0 free, 1 warning, 2 collision
-  output wire [3:0] axis        // with it: the axis that proves the band, or 0
-//@ else
-  input  wire       in_plane,   // in cycle @verdict_cycle@: separated if coplanar
-  output wire       coplanar,   // in cycle @result_cycle@: all orient3d are zero, or a second pass
-  output wire [3:0] axis        // in cycle @result_cycle@: the axis that separates, or 0
-//@ end
+  output wire [1:0] band,       // with it: 0 free, 1 warning, 2 collision //@ limits
+  output wire [3:0] axis        // with it: the axis that @axis_about@, or 0
 );
 
   localparam W = @w@;     // bits of a coordinate
@@ -41,13 +26,6 @@ module sepax_core (
   localparam Z_W = @z_w@; // of a z sum
   localparam O_W = @o_w@; // of B's z sum
   localparam V_W = @v_w@; // of a signed prism volume or an orient3d
-//@ if passes
-//@ if biased
-  localparam DIGITS = @digits@; // radix-4 digits of a z sum
-  localparam signed [Z_W-1:0] BIAS = // of z sums, as prisms deduct it
-    {{(Z_W+2-2*DIGITS){1'b0}}, {(DIGITS-1){2'b01}}};
-//@ end
-//@ end
 //@ if running
 //@ if biased
   localparam OWN_DIGITS = @own_digits@; // of B's z sum
@@ -67,30 +45,7 @@ module sepax_core (
 @slot_copies@ //@ copied
   // Coordinates. _hold, _hold2 ... stand for one II window more each.
   // The vertices of each triangle rotate, one place a cycle. //@ rotate
-  // u is x, or y where all six x are equal: with z it makes the plane of a second pass. //@ passes
 @coordinates@
-//@ if passes
-//@ if x_equal_q
-//@ if x_equal_q2
-  reg x_equal; // two cycles before; rotation changes nothing
-  reg [4:0] equal_q;
-  always @(posedge clk) begin
-    equal_q <= {x_a2 == x_a1, x_a3 == x_a1, x_b1 == x_a1, x_b2 == x_a1, x_b3 == x_a1};
-    x_equal <= &equal_q;
-  end
-//@ else
-  reg x_equal; // in the cycle before; rotation changes nothing
-  always @(posedge clk) begin
-    x_equal <= (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
-               (x_b2 == x_a1) && (x_b3 == x_a1);
-  end
-//@ end
-//@ else
-  wire x_equal;
-  assign x_equal = (x_a2 == x_a1) && (x_a3 == x_a1) && (x_b1 == x_a1) &&
-                   (x_b2 == x_a1) && (x_b3 == x_a1);
-//@ end
-//@ end
 
   // Outputs of the units. _q, _q2 ... are their delay lines; _hold is a holding register.
 @outputs@
@@ -102,15 +57,23 @@ module sepax_core (
 @output_moves@
   end
 @units@
-//@ if passes
+//@ if plane
 
   // In cycle @projection_cycle@ of a pair:
 @plane@
-  sepax_projection projection (
-    .clk(clk), .flat_soon(flat_soon), //@ chain
-    .flat(flat), .separated(separated), .disjoint_x(disjoint_x), .disjoint_z(disjoint_z),
-    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .z_order(all_z_order)
+  wire separated; // in cycle @plane_cycle@: the pair is separated, if it is coplanar
+  sepax_projection in_plane (
+    .clk(clk), //@ chain
+    .g_a(all_g_a), .g_b(all_g_b), .g_own(all_g_own), .x_order(all_x_order), .separated(separated)
   );
+//@ if waits
+  reg [@waits@-1:0] separated_q; // until cycle @verdict_cycle@
+  always @(posedge clk) begin
+    if (@plane_slot@) begin //@ slots
+    separated_q <= @separated_next@;
+    end //@ slots
+  end
+//@ end
 //@ end
 
   // In cycle @verdict_cycle@ of a pair:
@@ -125,9 +88,7 @@ module sepax_core (
 //@ else
   sepax_decide decide (
     .clk(clk), //@ chain
-    .second(second), //@ passes
-    .second(1'b0), //@ !passes
-    .in_plane(in_plane), .coplanar(coplanar), .axis(axis),
+    .in_plane(@in_plane@), .coplanar(coplanar), .axis(axis),
     .s(all_s), .w(all_w), .d(all_d)
   );
 //@ end

@@ -13,9 +13,8 @@ module sepax_decide (
   input  wire [5:0]  s,        // of A's plane and B_k: [2k +: 2]
   input  wire [5:0]  w,        // of B's plane and A_i: [2i +: 2]
   input  wire [17:0] d,        // of edge i of A and edge j of B: [2(3i + j) +: 2]
-  input  wire        second,   // second pass: known to be coplanar
   input  wire        in_plane, // should the pair be coplanar: it is separated
-  output wire        coplanar, // all orient3d are zero, or a second pass
+  output wire        coplanar, // all orient3d are zero
   output wire [3:0]  axis      // AXIS_...
 );
   localparam [3:0] AXIS_NONE = 4'd@axis_none@, AXIS_EDGES = 4'd@axis_edges@,
@@ -56,7 +55,7 @@ module sepax_decide (
     end
   end
 
-  assign coplanar = second || ({s, w, d} == 30'd0); //@ !chain
+  assign coplanar = {s, w, d} == 30'd0; //@ !chain
 //@ if chain
   reg normal_a_q, normal_b_q, coplanar_q, in_plane_q;
   assign coplanar = coplanar_q;
@@ -65,7 +64,7 @@ module sepax_decide (
     separates_q <= separates;
     normal_a_q <= normal_a;
     normal_b_q <= normal_b;
-    coplanar_q <= second || ({s, w, d} == 30'd0);
+    coplanar_q <= {s, w, d} == 30'd0;
     in_plane_q <= in_plane;
   end
 //@ end

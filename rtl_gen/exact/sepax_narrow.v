@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Narrow phase: sepax_core with its control. A pair enters at the end of an II window and is in
-// window 0 then, in window k after k more; its verdict goes to the reorder buffer, which has an
-// entry for each pair.
-//@ if passes
-// A pair that is flat in the projection on x and y goes round once more in that on u and z, where u
-// is x, or y where all six x are equal; flat again, it is on a line, where the AABBs decide.
+// Narrow phase: sepax_core with its control. A pair enters at the end of an II window, is in
+// window 0 then, in window k after k more. Every pair takes the same cycles, so that verdicts come
+// in the order of the pairs; a queue keeps them until they are taken.
+//@ if ahead
+// In its first @ahead@ cycles sepax_axis chooses the projection. Then it enters the core.
 //@ end
 module sepax_narrow (
   input  wire            clk,      // clock
@@ -26,64 +25,48 @@ module sepax_narrow (
 );
   localparam N = @core_word@; // bits of a coordinate
   localparam LAST = @last_window@; // window of the verdict; a pair is in windows 0 ... LAST
-  localparam JUDGED = @judged@; // window that it enters when its plane is known //@ passes
-//@ if fpga
-  localparam BEFORE = @before@; // window that it is in a cycle before that is used //@ passes
-//@ end
-  localparam TAG = @tag@; // log2 of the entries of the reorder buffer
-  localparam RESULT = @result@; // bits of a verdict
+  localparam NOTE = @note@; // bits of a note //@ aabb_test
+  localparam RESULT = @result@; // bits of a verdict, with its note //@ aabb_test
+  localparam RESULT = @result@; // bits of a verdict //@ !aabb_test
   localparam II = @ii@; //@ shared
 
   reg  [LAST:0]           valid_q;    // a pair is in window k
-  reg  [(LAST+1)*TAG-1:0] tag_q;      // its entry in the reorder buffer
-  reg                     written_q;     // the verdict of this cycle is one //@ fpga
-  reg  [TAG-1:0]          tag_written_q; // its entry //@ fpga
-  wire [TAG-1:0]          tail;
+  reg                     written_q;  // the verdict of this cycle is a pair's //@ fpga
+  //@ if aabb_test
+  reg  [(LAST+1)*NOTE-1:0] note_q;    // its note
+  reg  [NOTE-1:0]         noted_q;    // note of this cycle's verdict //@ fpga
+  //@ end
   wire [RESULT-1:0]       oldest;
   wire                    free, coplanar;
   wire [3:0]              axis;
   wire [1:0]              band; //@ limits
+  wire [18*N-1:0]         pair; // as the core sees it
   integer                 k;
-  //@ if passes
-  reg  [LAST:0]           second_q;   // this is its second pass
-  reg  [JUDGED-1:0]       disjoint_q; // its projections were disjoint in the first
-  //@ if !at_once
-  reg  [LAST-JUDGED:0]    in_plane_q; // from window JUDGED on: it is separated if coplanar
-  //@ end
-  reg  [JUDGED-1:0]       decided_q;  // the AABB test has decided it //@ aabb_test
-  wire                    flat, separated, disjoint_x, disjoint_z;
-  wire                    flat_soon; // flat of the cycle behind //@ fpga
-  wire again = valid_q[JUDGED-1] && flat && !second_q[JUDGED-1]@unless_decided@; //@ !fpga
-  reg  again; // the pair in window JUDGED - 1 enters once more //@ fpga
-  wire disjoint = disjoint_x || (disjoint_z && !second_q[JUDGED-1]) || disjoint_q[JUDGED-1];
-  wire in_plane = flat ? disjoint : separated; // it is separated if coplanar //@ at_once
-  //@ end
   reg  [II-1:0]           slot_q; // cycle of the II window, one-hot; rests at its end //@ shared
   wire last_slot = slot_q[II-1]; //@ shared
   wire take = in_valid && in_ready;
-  wire enter = take || again; //@ passes
-  wire enter = take; //@ !passes
+  wire written = valid_q[LAST]@at_verdict_slot@; // the core has a verdict
 
   //@ if gated
   //@ if live
   // Bit t: a pair that the core works for is in its cycle t, or was in one of the II - 1 before.
   reg  [@live_msb@:0]     live_q;
   //@ end
-  // With in_ready or again it enters.
-  wire comes = (in_valid && !@decided@)@or_again@; //@ aabb_test
-  wire comes = in_valid@or_again@; //@ !aabb_test
+  // With in_ready it enters.
+  wire comes = in_valid && !@decided@; //@ aabb_test
+  wire comes = in_valid; //@ !aabb_test
   //@ if shared
   reg  [II-1:0] core_slot_q; // slot_q while the core works for a pair, else 0
-  wire [II-1:0] slot_next = (!last_slot || enter || (|valid_q)) ? {slot_q[II-2:0], slot_q[II-1]}
-                                                                : slot_q;
-  wire load = last_slot ? comes : live_q[0]; // first registers load, or rotate
-  wire first = last_slot ? (comes && enter) : live_q[0];
+  wire [II-1:0] slot_next = (!last_slot || take || (|valid_q)) ? {slot_q[II-2:0], slot_q[II-1]}
+                                                               : slot_q;
+  wire load = last_slot ? comes : live_q[0]; // first registers load, or rotate //@ !ahead
+  wire first = last_slot ? (comes && take) : live_q[0];
   //@ else
-  wire load = comes;
-  wire first = comes && enter; //@ live
+  wire load = comes; //@ !ahead
+  wire first = comes && take; //@ live
   //@ end
   //@ end
-  assign in_ready = @at_last_slot@free@unless_again@;
+  assign in_ready = @at_last_slot@free;
 
   always @(posedge clk) begin
     if (rst) begin
@@ -94,48 +77,28 @@ module sepax_narrow (
 //@ if gated
       slot_q <= slot_next;
 //@ else
-      if (!last_slot || enter || (|valid_q)) begin //@ !fpga
-      if (!last_slot || (in_valid && free) || (|valid_q)) begin //@ fpga
+      if (!last_slot || take || (|valid_q)) begin
         slot_q <= {slot_q[II-2:0], slot_q[II-1]};
       end
 //@ end
       //@ end
       if (@window_ends@) begin
-        valid_q[0] <= enter;
+        valid_q[0] <= take;
         for (k = 1; k <= LAST; k = k + 1) begin
           valid_q[k] <= valid_q[k-1];
         end
-        valid_q[JUDGED] <= valid_q[JUDGED-1] && !again; //@ judged_before
       end
     end
-    //@ if fpga
-    written_q <= !rst && valid_q[LAST]@at_verdict_slot@;
-    tag_written_q <= tag_q[LAST*TAG +: TAG];
-    again <= !rst && valid_q[BEFORE] && flat_soon && !second_q[BEFORE]@unless_decided@; //@ passes
-    //@ end
+    written_q <= !rst && written; //@ fpga
+//@ if aabb_test
+    noted_q <= note_q[LAST*NOTE +: NOTE]; //@ fpga
     if (@window_ends@) begin
-      tag_q[0 +: TAG] <= again ? tag_q[(JUDGED-1)*TAG +: TAG] : tail; //@ passes
-      tag_q[0 +: TAG] <= tail; //@ !passes
+      note_q[0 +: NOTE] <= @note_in@;
       for (k = 1; k <= LAST; k = k + 1) begin
-        tag_q[k*TAG +: TAG] <= tag_q[(k-1)*TAG +: TAG];
-        second_q[k] <= second_q[k-1]; //@ passes
+        note_q[k*NOTE +: NOTE] <= note_q[(k-1)*NOTE +: NOTE];
       end
-      //@ if passes
-      second_q[0] <= again;
-      disjoint_q[0] <= again && disjoint;
-      decided_q[0] <= !again && @decided@; //@ aabb_test
-      for (k = 1; k < JUDGED; k = k + 1) begin
-        disjoint_q[k] <= disjoint_q[k-1];
-        decided_q[k] <= decided_q[k-1]; //@ aabb_test
-      end
-      //@ if !at_once
-      in_plane_q[0] <= flat ? disjoint : separated;
-      for (k = 1; k <= LAST - JUDGED; k = k + 1) begin
-        in_plane_q[k] <= in_plane_q[k-1];
-      end
-      //@ end
-      //@ end
     end
+//@ end
   end
 
 //@ if live
@@ -150,40 +113,41 @@ module sepax_narrow (
   end
 
 //@ end
+//@ if ahead
+  sepax_axis projection (
+    .clk(clk),
+    .last(last_slot), //@ shared
+    .second(slot_q[@tested_cycle@%II]), //@ in_turn
+    .comes(comes), //@ gated
+    .live(live_q[@axis_live@:0]), //@ axis_gated
+    .in_pair(in_pair), .out_pair(pair)
+  );
+//@ else
+  assign pair = in_pair;
+//@ end
+
   sepax_core core (
     .clk(clk),
 @advance_ports@ //@ gated
 //@ if shared
-    .slot(slot_q), //@ !gated
-//@ if gated
-    .slot(core_slot_q),
-    .last(last_slot),
+    .slot(@core_slot@),
+    .last(last_slot), //@ begins_at_last
 //@ end
-//@ end
-    .in_a1_x(in_pair[0*N +: N]), .in_a1_y(in_pair[6*N +: N]), .in_a1_z(in_pair[12*N +: N]),
-    .in_a2_x(in_pair[1*N +: N]), .in_a2_y(in_pair[7*N +: N]), .in_a2_z(in_pair[13*N +: N]),
-    .in_a3_x(in_pair[2*N +: N]), .in_a3_y(in_pair[8*N +: N]), .in_a3_z(in_pair[14*N +: N]),
-    .in_b1_x(in_pair[3*N +: N]), .in_b1_y(in_pair[9*N +: N]), .in_b1_z(in_pair[15*N +: N]),
-    .in_b2_x(in_pair[4*N +: N]), .in_b2_y(in_pair[10*N +: N]), .in_b2_z(in_pair[16*N +: N]),
-    .in_b3_x(in_pair[5*N +: N]), .in_b3_y(in_pair[11*N +: N]), .in_b3_z(in_pair[17*N +: N]),
-    //@ if limits
-    .band(band),
-    //@ else
-    .flat_soon(flat_soon), //@ fpga_passes
-    .again(again), .flat(flat), .separated(separated), .disjoint_x(disjoint_x), //@ passes
-    .disjoint_z(disjoint_z), .second(second_q[LAST]), .in_plane(@in_plane@), //@ passes
-    .in_plane(1'b0), //@ !passes
-    //@ end
+    .in_a1_x(pair[0*N +: N]), .in_a1_y(pair[6*N +: N]), .in_a1_z(pair[12*N +: N]),
+    .in_a2_x(pair[1*N +: N]), .in_a2_y(pair[7*N +: N]), .in_a2_z(pair[13*N +: N]),
+    .in_a3_x(pair[2*N +: N]), .in_a3_y(pair[8*N +: N]), .in_a3_z(pair[14*N +: N]),
+    .in_b1_x(pair[3*N +: N]), .in_b1_y(pair[9*N +: N]), .in_b1_z(pair[15*N +: N]),
+    .in_b2_x(pair[4*N +: N]), .in_b2_y(pair[10*N +: N]), .in_b2_z(pair[16*N +: N]),
+    .in_b3_x(pair[5*N +: N]), .in_b3_y(pair[11*N +: N]), .in_b3_z(pair[17*N +: N]),
+    .band(band), //@ limits
     .coplanar(coplanar), .axis(axis)
   );
 
-  sepax_reorder reorder (
-    .clk(clk), .rst(rst), .free(free), .take(take), .tail(tail),
-    .note(@note_in@), .oldest_note(out_note), //@ aabb_test
-    .write(written_q), .tag(tag_written_q), //@ fpga
-    .write(valid_q[LAST]@at_verdict_slot@@unless_repeated@), .tag(tag_q[LAST*TAG +: TAG]), //@ !fpga
-    .result({band, coplanar, axis}), //@ limits
-    .result({coplanar, axis}), //@ !limits
+  sepax_queue #(.RESULT(RESULT)) queue (
+    .clk(clk), .rst(rst), .free(free), .take(take),
+    .write(written_q), //@ fpga
+    .write(written), //@ !fpga
+    .result({@note_out@@band_out@coplanar, axis}),
     .valid(out_valid), .ready(out_ready), .oldest(oldest)
   );
 
@@ -191,4 +155,5 @@ module sepax_narrow (
   assign out_axis = oldest[3:0] & {4{out_valid}};
   assign out_collision = out_valid && (oldest[3:0] == 4'd0);
   assign out_band = oldest[6:5] & {2{out_valid}}; //@ limits
+  assign out_note = oldest[RESULT-1 -: NOTE]; //@ aabb_test
 endmodule

@@ -16,17 +16,13 @@
 // farther apart than @collision_to@ LSB.@between@
 //@ end
 // Coplanar pairs are called collisions, undecided, and flagged. //@ flag
-//@ if passes
-// Coplanar and degenerate pairs are decided, too. A pair is flat if the six points are on one line
-// when they are seen along z. It passes the core twice, and in_ready is low for that II window.
-//@ end
+// Coplanar and degenerate pairs are decided, too. //@ ahead
 // in_ready is a register: no path leads to it from an input. //@ registered_ready
 // out_axis: 1 + 3 i + j e_i x f_j, 10 N_A, 11 N_B,
 // 12 @axis_12@@axis_aabb@; 0 none.
 // e_i is the edge of A from vertex i + 1 to the next one, f_j that of B from j + 1; i, j = 0, 1, 2.
 // Latency @latency@ from the cycle in which a pair is taken to that of its verdict, both
 // counted@when_empty@. Outputs are 0 without out_valid.
-// Latency of a flat pair: @second_pass@ cycles. //@ passes
 module sepax_top (
   input  wire            clk,      // clock
   input  wire            rst,      // synchronous reset of the control, active high

@@ -186,11 +186,13 @@ void exact_stages_make(exact_plan *p, double period) {
       fan_out + 3 * delay_compressor(p->delay) + 2 * delay_adder(p->delay, own_zsum) <= available;
   double six_terms = fan_out + 4 * delay_compressor(p->delay) + delay_adder(p->delay, own_zsum);
   s->own_zsum = !p->running && !s->zdiff_shared && six_terms > available;
-  s->sign = delay_test(p->delay, f[SEPAX_X_ORIENT2D].width) + p->delay->orient2d_sign > available;
   double zsum = 2 * delay_compressor(p->delay) + delay_adder(p->delay, f[SEPAX_X_Z_SUM].width);
   s->slot_copies = !p->delay->family && shared_units &&
                    selected_operands(p, false) + fmax(orient2d, zsum) > available;
   s->shortest = shortest_stage(p, sums, sum);
+  if (!p->single) {
+    s->shortest = fmax(s->shortest, delay_register(p->delay) + exact_axis_place(p, available));
+  }
   if (p->limits > 0) {
     place_in_limits(p, available);
   }

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* top.c - architecture exact around its core: sepax_narrow with the handshake, the passes of a pair
- * and the order of the verdicts, and sepax_top. */
+/* top.c - architecture exact around its core: sepax_narrow with the handshake, and sepax_top. */
 #include "aabb/aabb.h"
 #include "engine/engine.h"
 #include "exact.h"
 
 #include <stdlib.h>
 
-/* Log2 of the entries of the reorder buffer: enough for a full stream never to wait. Cores side by
+/* Log2 of the entries of the queue: enough for a full stream never to wait. Cores side by
  * side take pairs in bursts, of which the verdicts wait for each other. */
 static int entries_log2(const exact_plan *p) {
   int burst = p->design->config.cores > 1 ? 2 : 0;
@@ -21,17 +20,12 @@ static int entries_log2(const exact_plan *p) {
 
 int exact_control_count(const exact_plan *p) {
   const sepax_config *c = &p->design->config;
-  int windows = p->verdict_cycle / c->ii + 1;
-  int judged = (p->plane_cycle + 1) / c->ii;
+  int verdict = exact_axis_latency(p) + p->verdict_cycle;
   int tag = entries_log2(p);
-  int result = p->limits > 0 ? 7 : 5;
-  int narrow = windows * (1 + tag);
-  if (!p->single) {
-    narrow += windows + (aabb_latency(p->design) > 0 ? 2 : 1) * judged;
-    narrow += p->at_once ? 0 : windows - judged;
-  }
-  narrow += c->clock_gating ? p->verdict_cycle : 0;
-  return narrow + 2 * tag + 1 + (1 << tag) * (2 + result);
+  int result = (p->limits > 0 ? 7 : 5) + aabb_latency(p->design);
+  int narrow = (verdict / c->ii + 1) * (1 + aabb_latency(p->design));
+  narrow += exact_waits(p) + (c->clock_gating ? verdict : 0);
+  return narrow + 3 * (tag + 1) + (result << tag);
 }
 
 /* What the verdict 1 means, by whether pairs are left open: coplanar ones, and those out of range.
@@ -57,7 +51,6 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                                        {"most", sepax_word_max(c->word)},
                                        {"limits", p->limits},
                                        {"flag", c->flag},
-                                       {"passes", !p->single},
                                        {"registered_ready", engine_registers_ready(c)},
                                        {NULL, 0}});
   emit_hole_set(h, "collision_about", "%s", collision_about(c, p->limits > 0));
@@ -71,49 +64,51 @@ static void set_words(emit_holes *h, const exact_plan *p) {
                               : "in the common plane");
 }
 
-/* The II windows that a pair passes. */
+/* The II windows that a pair passes. Its cycle 0 is the first behind the one that takes it; the
+ * core counts from its own, which comes later, so that its slot is another bit. */
 static void set_control(emit_holes *h, const exact_plan *p) {
   const sepax_config *c = &p->design->config;
   bool shared = c->ii > 1;
+  int verdict = exact_axis_latency(p) + p->verdict_cycle;
+  int turn = exact_axis_latency(p) % c->ii;
+  bool noted = p->design->aabb_test;
   emit_hole_numbers(h, (emit_number[]){{"ii", c->ii},
                                        {"shared", shared},
                                        {"fpga", p->delay->family},
-                                       {"before", (p->plane_cycle - 1) / c->ii},
-                                       {"fpga_passes", p->delay->family && !p->single},
-                                       {"last_window", p->verdict_cycle / c->ii},
-                                       {"judged", (p->plane_cycle + 1) / c->ii},
-                                       {"at_once", p->at_once},
-                                       {"judged_before", !p->single && !p->at_once},
+                                       {"last_window", verdict / c->ii},
                                        {"tag", entries_log2(p)},
-                                       {"result", p->limits > 0 ? 7 : 5},
                                        {NULL, 0}});
   emit_hole_set(h, "window_ends", shared ? "last_slot" : "1'b1");
   emit_hole_set(h, "at_last_slot", shared ? "last_slot && " : "");
-  const gen_line slot = gen_format(" && slot_q[%d]", p->verdict_cycle % c->ii);
+  const gen_line slot = gen_format(" && slot_q[%d]", verdict % c->ii);
   emit_hole_set(h, "at_verdict_slot", "%s", shared ? slot.text : "");
-  emit_hole_set(h, "in_plane", p->at_once ? "in_plane" : "in_plane_q[LAST-JUDGED]");
-  emit_hole_set(h, "unless_repeated", p->at_once ? " && !again" : "");
-  emit_hole_set(h, "or_again", p->single ? "" : " || again");
-  emit_hole_set(h, "unless_again", p->single ? "" : " && !again");
+  const char *slots = c->clock_gating ? "core_slot_q" : "slot_q";
+  const gen_line turned =
+      gen_format("{%s[%d:0], %s[%d:%d]}", slots, turn - 1, slots, c->ii - 1, turn);
+  emit_hole_set(h, "core_slot", "%s", turn > 0 ? turned.text : slots);
+  emit_hole_set(h, "result", "%s%d", noted ? "NOTE + " : "", p->limits > 0 ? 7 : 5);
+  emit_hole_set(h, "band_out", p->limits > 0 ? "band, " : "");
+  emit_hole_set(h, "note_out",
+                !noted             ? ""
+                : p->delay->family ? "noted_q, "
+                                   : "note_q[LAST*NOTE +: NOTE], ");
 }
 
 static void generate(emitter *e, exact_plan *plan) {
   const sepax_config *c = &e->design->config;
   emit_holes h = {0};
   e->design->latency = exact_latency(plan);
-  e->design->second_pass = exact_second_pass(plan);
   e->design->ripple = plan->ripple;
   gen_exact_units(e, plan, &h);
-  gen_exact_core(e, plan, &h);
   set_words(&h, plan);
+  gen_exact_core(e, plan, &h);
   set_control(&h, plan);
   aabb_holes(&h, e->design);
-  emit_template(e, "sepax_reorder", h.hole);
+  emit_template(e, "sepax_queue", h.hole);
   emit_template(e, "sepax_narrow", h.hole);
   gen_aabb_test(e, &h);
   emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
   emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
-  emit_hole_set(&h, "second_pass", "%d", e->design->second_pass);
   bool skid = engine_registers_ready(c);
   if (skid) {
     emit_template(e, "sepax_skid", NULL);

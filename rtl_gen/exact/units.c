@@ -52,6 +52,7 @@ static void set_shared(emit_holes *h, const exact_plan *p) {
                                        {"limits", p->limits},
                                        {"gated", p->datapath.advance.gated},
                                        {"two_limits", p->limits > 1},
+                                       {"ahead", exact_axis_latency(p)},
                                        {"axis_none", SEPAX_AXIS_NONE},
                                        {"axis_edges", SEPAX_AXIS_EDGES},
                                        {"axis_normal_a", SEPAX_AXIS_NORMAL_A},
@@ -231,6 +232,7 @@ void gen_exact_units(emitter *e, const exact_plan *p, emit_holes *h) {
   }
   emit_template(e, "sepax_decide", h->hole);
   if (!p->single) {
+    gen_axis(e, p, h);
     emit_template(e, "sepax_projection", h->hole);
   }
 }

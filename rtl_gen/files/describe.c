@@ -85,8 +85,7 @@ void describe_json(const emitter *e, emit_text *out) {
                           sepax_config_text(&d->config, text, sizeof text));
   describe_settings(all, &d->config, &failed);
   json_t *rest = json_pack(
-      "{si, so*, si, so*, so*, so*, so*, so, so, so}", "latency", d->latency, "latency_second_pass",
-      optional_number(d->second_pass > 0, d->second_pass, &failed), "input_words",
+      "{si, si, so*, so*, so*, so*, so, so, so}", "latency", d->latency, "input_words",
       transfers > 0 ? transfers
       : exact       ? 1
                     : 3,
@@ -142,7 +141,6 @@ static void describe_numbers(const sepax_design *d, bool verilog, bool own, emit
   } row[] = {
       {"WORD", c->word, true, LOCALPARAM},
       {"LATENCY", d->latency, true, LOCALPARAM},
-      {"LATENCY_SECOND_PASS", d->second_pass, d->second_pass > 0, LOCALPARAM},
       {"II", c->ii, true, LOCALPARAM},
       {"EXACT", c->arch == SEPAX_ARCH_EXACT, true, MACRO},
       {"FLAG", c->flag, true, C_ONLY},

@@ -90,21 +90,17 @@ static void put_speed(const emitter *e, page *p) {
               d->latency, c->ii);
     return;
   }
+  const gen_line later = gen_format(
+      " A pair that the skid buffer before the core takes early has up to %d more.", c->ii - 1);
   page_text(
       p,
-      "The latency%s is %d cycles, from the cycle that takes a pair to the cycle of its verdict. "
-      "Both cycles are counted, and the core was empty. %s takes a pair every %s.",
+      "The latency%s is %d cycles, from the cycle that takes a pair to the cycle of its verdict, "
+      "both counted. It is the same for every pair, unless earlier verdicts still wait for the "
+      "receiver.%s %s takes a pair every %s.",
       words_has_engine(d) ? " of a core" : "", d->latency,
+      engine_registers_ready(c) && c->ii > 1 ? later.text : "",
       words_has_engine(d) ? "A core" : "The block",
       cycles > 1 ? gen_format("%d cycles", cycles).text : "cycle");
-  if (d->second_pass > 0) {
-    page_text(
-        p,
-        "A pair is flat if its six vertices are on one line when they are seen along %s. A "
-        "flat pair passes the core twice: its latency is %d cycles, and the second pass takes "
-        "the place of another pair.",
-        words_has_engine(d) ? "the thinnest side" : "the z axis", d->second_pass);
-  }
 }
 
 /* Faults of Yosys 0.23, which make a wrong netlist (docs/developers/results/fpga.md). */

@@ -11,7 +11,6 @@
 // s_axis_tready: no path leads to it from an input without a register.
 // Latency @latency@ from a pair's last transfer to its verdict, both counted,
 // when it was empty.
-// A pair that is flat (sepax_top.v) has @second_pass@ cycles. //@ passes
 module sepax_stream (
   (* X_INTERFACE_INFO = "xilinx.com:signal:clock:1.0 aclk CLK" *)
   (* X_INTERFACE_PARAMETER = "ASSOCIATED_BUSIF s_axis:m_axis, ASSOCIATED_RESET aresetn" *)

@@ -67,7 +67,7 @@ public:
       mismatches += scoreboard.size();
     }
     uint64_t allowed = streamed == 0 ? 0 : (streamed - 1) * PACE + SEPAX_LATENCY;
-    if ((coplanar == 0 || !SECOND_PASS) && !hung && last_taken - first_taken > allowed) {
+    if (!hung && last_taken - first_taken > allowed) {
       std::fprintf(stderr,
                    "cosim: %" PRIu64 " cycles from the first to the last of %" PRIu64 " pairs; "
                    "II = %d allows %" PRIu64 "\n",
@@ -117,7 +117,7 @@ private:
   // How many times the first pair is taken while every verdict is blocked; then all leave. Slowly:
   // a pair is offered when the one before has gone as far as it can.
   uint64_t fill(bool slowly) {
-    const Outstanding e{0, cycle, false, sepax_judge(&design, &first), first, Travel()};
+    Outstanding e{0, cycle, false, sepax_judge(&design, &first), first, Travel()};
     uint64_t taken = 0, more = 0;
     int word = 0;
     for (uint64_t refused = 0; (refused < PATIENCE || word > 0) && !hung;) {
@@ -132,6 +132,7 @@ private:
       if (word == 0 && scoreboard.full()) {
         hang("more pairs were taken than the design can hold");
       } else if (word == 0) {
+        e.cycle = cycle;
         scoreboard.push(e);
         (blocks ? taken : more)++;
         for (int i = 0; slowly && blocks && i < 2 * (SEPAX_LATENCY + SEPAX_II); i++) {
@@ -145,6 +146,7 @@ private:
         took = tick(true, true);
       }
       if (took) {
+        e.cycle = cycle;
         scoreboard.push(e);
         more++;
       } else {
@@ -158,7 +160,7 @@ private:
     return taken;
   }
 
-  // The entries of the reorder buffer are a power of two; each stage before it holds a pair more.
+  // The entries of the queue are a power of two; each stage before it holds a pair more.
   void check_capacity() {
     const uint64_t entries = capacity - std::min(capacity, BOXES + SKID);
     if (!STREAMED && (entries == 0 || (entries & (entries - 1)) != 0)) {
@@ -268,7 +270,7 @@ private:
       }
     } else if (e == nullptr) {
       complain(nullptr, "a verdict that nobody asked for");
-    } else if (!ready) {
+    } else if (since = since == 0 ? cycle : since; !ready) {
       blocked_verdict = now;
     } else {
       judge(*e, now);
@@ -287,39 +289,20 @@ private:
     if (now != want) {
       complain(&e, "expected " + text(want) + "; got " + text(now));
     }
-    // Never earlier; not later where nothing was in the way.
+    // Never earlier; not later where nothing was in the way. Where nothing stands before the core,
+    // only the verdict before can be in the way.
     if (e.travel.whole()) {
-      const uint64_t due = latency_of(e), took = cycle - e.cycle + 1;
-      bool free = !HANDSHAKE || (e.alone && blocked < e.cycle);
-      latencies += free;
-      if (took < due || (free && took != due)) {
-        complain(&e, "verdict in cycle " + std::to_string(took) + " from taking the pair, not " +
-                         std::to_string(due));
+      const uint64_t due = e.cycle + SEPAX_LATENCY - 1;
+      const bool alone = !HANDSHAKE || (e.alone && blocked < e.cycle);
+      const uint64_t latest = CONSTANT ? std::max(due, left + 1) : alone ? due : since;
+      latencies += latest == due;
+      if (since < due || since > latest) {
+        complain(&e, "verdict in cycle " + std::to_string(since - e.cycle + 1) +
+                         " from taking the pair, not " + std::to_string(latest - e.cycle + 1));
       }
     }
-  }
-
-  // Of a pair in an empty core. It passes twice if its points are on one line when seen along z.
-  static uint64_t latency_of(const Outstanding &e) {
-#ifdef SEPAX_LATENCY_SECOND_PASS
-    if (e.verdict.coplanar) {
-      const auto at = [&](int point, int axis) -> int64_t { // differences have 33 bits
-        return coordinate(e.pair, 3 * point + axis);
-      };
-      int64_t x = 0, y = 0; // from the first point to another one
-      for (int k = 1; k < 6 && x == 0 && y == 0; k++) {
-        x = at(k, 0) - at(0, 0);
-        y = at(k, 1) - at(0, 1);
-      }
-      bool flat = true;
-      for (int k = 1; k < 6; k++) {
-        flat = flat && (__int128)x * (at(k, 1) - at(0, 1)) == (__int128)y * (at(k, 0) - at(0, 0));
-      }
-      return flat ? SEPAX_LATENCY_SECOND_PASS : SEPAX_LATENCY;
-    }
-#endif
-    (void)e;
-    return SEPAX_LATENCY;
+    left = cycle;
+    since = 0;
   }
 
   void complain(const Outstanding *e, const std::string &what) {
@@ -393,7 +376,7 @@ private:
     dropped += scoreboard.size();
     scoreboard.clear();
     blocked_verdict = {};
-    waited = 0;
+    since = waited = 0;
     return true;
   }
 
@@ -427,6 +410,7 @@ private:
   Verdict blocked_verdict{}; // shown and blocked in the cycle before
   uint64_t idle = 0;         // cycles for which it has been empty, this one, too
   uint64_t cycle = 0, blocked = 0, waited = 0, last_verdict_cycle = 0;
+  uint64_t since = 0, left = 0; // the oldest verdict is shown; the one before left
   uint64_t collisions = 0, coplanar = 0, latencies = 0, resets = 0, withdrawn = 0;
   uint64_t axes[LAST_AXIS + 1] = {}, bands[3] = {};
   uint64_t streamed = 0, first_taken = 0, last_taken = 0;

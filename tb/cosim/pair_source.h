@@ -167,11 +167,35 @@ inline void draw_depths(sepax_random *random, int64_t low, int64_t high, int64_t
   number[3 + sepax_random_range(random, 0, 2)] = greatest;
 }
 
-// Pairs in a plane along z, or on a line, that overlap with one vertex each, or touch, or do not:
-// where AABBs decide, one order of two coordinates does.
+// A pair in a plane along y that an edge of A separates, but x does not. A's vertices of least and
+// greatest x and B's of least x have an orient2d in x and y of 2^(2 W - 1), the highest bit that
+// tells one from 0, or minus that.
+inline sepax_pair highest_bit_pair(sepax_random *random) {
+  const int64_t high = sepax_word_max(SEPAX_WORD), low = sepax_word_min(SEPAX_WORD);
+  const int64_t slope = sepax_random_range(random, -1, 1), sign = sepax_random_range(random, 0, 1);
+  const int64_t point[6][2] = {{low, low},
+                               {high, low + 1},
+                               {sepax_random_range(random, low, high), low},
+                               {-1, 1},
+                               {sepax_random_range(random, -1, high), high},
+                               {sepax_random_range(random, -1, high), high}};
+  sepax_pair pair{};
+  for (int k = 0; k < 6; k++) {
+    coordinate(pair, 3 * k) = (int32_t)point[k][0];
+    coordinate(pair, 3 * k + 1) = (int32_t)(sign == 0 ? point[k][1] : -1 - point[k][1]);
+    coordinate(pair, 3 * k + 2) = (int32_t)(slope < 0 ? -1 - point[k][0] : slope * point[k][0]);
+  }
+  return pair_with_normals(pair);
+}
+
+// Pairs in a plane along x, y or z, or on a line, that overlap with one vertex each, or touch, or
+// do not: where AABBs decide, one order of two coordinates does.
 inline Source overlap_source(uint64_t count, uint64_t seed) {
-  return counted(count, [random = sepax_random{seed}](uint64_t) mutable {
+  return counted(count, [random = sepax_random{seed}](uint64_t n) mutable {
     const int64_t high = sepax_word_max(SEPAX_WORD), low = sepax_word_min(SEPAX_WORD);
+    if (n % 8 == 7) {
+      return highest_bit_pair(&random);
+    }
     int64_t direction[3], along[6], above[6];
     for (int64_t &component : direction) {
       component = sepax_random_range(&random, -1, 1);
@@ -182,13 +206,14 @@ inline Source overlap_source(uint64_t count, uint64_t seed) {
       place = sepax_random_range(&random, -high / 2, high / 2);
     }
     const bool swapped = sepax_random_range(&random, 0, 1) != 0;
+    const int first = (int)sepax_random_range(&random, 0, 2);
     sepax_pair pair{};
     for (int k = 0; k < 6; k++) {
       const int of = 3 * (swapped ? (k + 3) % 6 : k); // its x
       const int64_t place = line ? above[k] : along[k];
-      coordinate(pair, of) = (int32_t)(direction[0] * place);
-      coordinate(pair, of + 1) = (int32_t)(direction[1] * place);
-      coordinate(pair, of + 2) = (int32_t)(line ? direction[2] * place : above[k]);
+      coordinate(pair, of + first) = (int32_t)(direction[0] * place);
+      coordinate(pair, of + (first + 1) % 3) = (int32_t)(direction[1] * place);
+      coordinate(pair, of + (first + 2) % 3) = (int32_t)(line ? direction[2] * place : above[k]);
     }
     return pair_with_normals(pair);
   });

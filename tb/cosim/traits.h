@@ -22,11 +22,6 @@ constexpr int LAST_AXIS = SEPAX_AXIS_AABB;
 #else
 constexpr int LAST_AXIS = SEPAX_AXIS_PLANE;
 #endif
-#if !SEPAX_EXACT || defined SEPAX_BANDS
-constexpr bool SECOND_PASS = false;
-#else
-constexpr bool SECOND_PASS = true;
-#endif
 // Cycles between pairs of a full stream.
 constexpr uint64_t PACE = SEPAX_II > INPUT_WORDS ? SEPAX_II : INPUT_WORDS;
 // Without stress the first pairs go alone, until so many latencies were seen.
@@ -53,6 +48,8 @@ constexpr uint64_t SKID = 1;
 constexpr uint64_t SKID = 0;
 #endif
 constexpr int LEAVES = 1 + (int)SKID; // cycles from a verdict that leaves to a pair
+// A pair that is taken enters the core at once: every pair has the same latency.
+constexpr bool CONSTANT = BOXES + SKID == 0;
 // Cycles of waiting, out_ready high, with no transfer on either side.
 constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
 

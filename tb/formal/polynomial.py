@@ -3,10 +3,11 @@
 
     polynomial.py NETLIST MODULE [TERMS LESS TOP SHIFT]
 
-NETLIST is Yosys' JSON of gates, words that are added or multiplied, and cells of sepax_fa. p must
-be, modulo 2^bits of p, the sum of TERMS (1) products a_k (b_k - LESS (0)), the first factors lowest
-in a and b, and where there are such ports + c - d 2^SHIFT. Of each b_k the three bits from bit TOP
-on, by sign extension, are worth -2 ... 2; without TOP b_k is any.
+NETLIST is Yosys' JSON of gates, words that are added or multiplied, and cells of sepax_fa. p, or if
+there is a port q p + q, must be, modulo 2^bits of p, the sum of TERMS (1) products a_k (b_k - LESS
+(0)), the first factors lowest in a and b, and where there are such ports + c - d 2^SHIFT, with a
+port q + c + d. Of each b_k the three bits from bit TOP on, by sign extension, are worth -2 ... 2;
+without TOP b_k is any.
 
 Each bit is a variable that is 0 or 1. The polynomial sum of 2^k p_k has the outputs of the last
 cells replaced by their inputs, cell by cell, until the module's inputs alone are left: a full adder
@@ -223,7 +224,7 @@ def replace(total, step):
 def spec(ports, terms, less, top, shift):
     """The formula's polynomial, and of each b_k the three bits that are not -4, -3 or 3."""
     value, tops = word(ports.get("c", []), True), []
-    value += word(ports.get("d", []), True, -1 << shift)
+    value += word(ports.get("d", []), True, 1 if "q" in ports else -1 << shift)
     a_bits, b_bits = len(ports["a"]) // terms, len(ports["b"]) // terms
     for k in range(terms):
         a = ports["a"][k * a_bits:(k + 1) * a_bits]
@@ -254,7 +255,7 @@ def main():
         netlist = Netlist(json.load(file)["modules"][sys.argv[2]])
     output = netlist.ports["p"]
     total = Polynomial(len(output))
-    for weight, product in word(output, False):
+    for weight, product in word(output, False) + word(netlist.ports.get("q", []), False):
         total.add(product, weight)
     for step in netlist.backward():
         replace(total, step)

@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: MIT
 // tokens.v - pairs through sepax_top, whatever its core decides: two of the pairs, whichever, are
-// marked, and their verdicts leave once each, in order, in time. The control does not look at
-// coordinates, so what is true of any two marked pairs is true of all. By induction: the
+// marked, and their verdicts leave once each, in order, and so many cycles after their pairs
+// entered sepax_narrow, unless the receiver or a verdict before is in the way. The control does not
+// look at coordinates, so what is true of any two marked pairs is true of all. By induction: the
 // assertions say where a pair is at any time, and so hold from one cycle to the next. Macros, from
 // the design:
 //   WORD           bits of a coordinate
-//   LAST, TAG      of sepax_narrow: the window of the verdict; log2 of the entries
-//   JUDGED         window before which the second pass is decided, if there is one
+//   LAST, TAG      of sepax_narrow: the window of the verdict; log2 of the entries of its queue
 //   II, SLOT       cycles of a window, and in which of them the verdict of window LAST is written
 //   RESULT         bits of a verdict
 //   LIMITS         two clearances: a band
+//   AXIS           there is a sepax_axis
 //   TESTED         there is an AABB test
 //   SKID           there is a skid buffer
-//   FPGA           a design for an FPGA: registers before a second pass and behind the verdict
-//   FRONT          places before sepax_narrow
+//   FPGA           a design for an FPGA: a register behind the verdict
 `default_nettype none
+
+`ifdef AXIS
+// In the place of sepax_axis: the core below holds the marks for all windows.
+module sepax_axis (
+`ifdef SHARED
+    input wire last,
+`endif
+    input wire clk,
+    input wire [18*`WORD-1:0] in_pair,
+    output wire [18*`WORD-1:0] out_pair
+);
+  assign out_pair = in_pair;
+endmodule
+`endif
 
 // In the place of sepax_core: the marks of a pair go from window to window, signs are any.
 module sepax_core (
@@ -25,42 +39,17 @@ module sepax_core (
     input wire signed [`WORD-1:0] in_a1_x, in_a1_y, in_a1_z, in_a2_x, in_a2_y, in_a2_z,
     input wire signed [`WORD-1:0] in_a3_x, in_a3_y, in_a3_z, in_b1_x, in_b1_y, in_b1_z,
     input wire signed [`WORD-1:0] in_b2_x, in_b2_y, in_b2_z, in_b3_x, in_b3_y, in_b3_z,
-`ifdef JUDGED
-    input wire again, second,
-`ifdef FPGA
-    output wire flat_soon,
-    output reg flat,
-    output wire separated, disjoint_x, disjoint_z,
-`else
-    output wire flat, separated, disjoint_x, disjoint_z,
-`endif
-`endif
 `ifdef LIMITS
     output wire [1:0] band,
-`else
-    input wire in_plane,
 `endif
     output wire coplanar,
     output wire [3:0] axis
 );
   reg [2*`LAST+1:0] mark_q; // of the pair in window 0 (lowest) ...
-  wire [1:0] mark = {in_a1_z[0], in_a1_x[0]};
 `ifdef SHARED
   wire ends = slot[`II-1];
 `else
   wire ends = 1'b1;
-`endif
-`ifdef JUDGED
-  (* anyseq *) wire [3:0] any;
-`ifdef FPGA
-  assign {flat_soon, separated, disjoint_x, disjoint_z} = any;
-  always @(posedge clk) flat <= flat_soon;
-`else
-  assign {flat, separated, disjoint_x, disjoint_z} = any;
-`endif
-  wire [1:0] enters = again ? mark_q[2*`JUDGED-2 +: 2] : mark;
-`else
-  wire [1:0] enters = mark;
 `endif
 `ifdef LIMITS
   (* anyseq *) wire [1:0] any_band;
@@ -75,7 +64,7 @@ module sepax_core (
 `else
   assign axis = {2'd0, mark_q[2*`LAST +: 2]};
 `endif
-  always @(posedge clk) if (ends) mark_q <= {mark_q[2*`LAST-1:0], enters};
+  always @(posedge clk) if (ends) mark_q <= {mark_q[2*`LAST-1:0], in_a1_z[0], in_a1_x[0]};
 endmodule
 
 module tokens (
@@ -89,8 +78,7 @@ module tokens (
   localparam BEHIND = 0;
 `endif
   localparam W = `WORD, ENTRIES = 1 << `TAG;
-  localparam LONGEST = `II * (`LAST + 1 + `FIRST_PASS) + 1 + BEHIND;
-  localparam BOUND = LONGEST + ENTRIES; // cycles behind the front
+  localparam LATENCY = `II * `LAST + `SLOT + 2 + BEHIND; // cycles behind the one that enters
   wire in_ready, out_valid, out_collision, out_coplanar;
   wire [3:0] out_axis;
   wire [1:0] out_band;
@@ -129,18 +117,18 @@ module tokens (
   (* hierconn *) wire \dut.narrow.take , \dut.narrow.in_ready ;
   (* hierconn *) wire [18*W-1:0] \dut.narrow.in_pair ;
   (* hierconn *) wire [`LAST:0] \dut.narrow.valid_q ;
-  (* hierconn *) wire [(`LAST+1)*`TAG-1:0] \dut.narrow.tag_q ;
   (* hierconn *) wire [2*`LAST+1:0] \dut.narrow.core.mark_q ;
-  (* hierconn *) wire [`TAG-1:0] \dut.narrow.tail ;
-  (* hierconn *) wire [`TAG:0] \dut.narrow.reorder.count_q ;
-  (* hierconn *) wire [ENTRIES-1:0] \dut.narrow.reorder.head_q , \dut.narrow.reorder.done_q ;
-  (* hierconn *) wire [ENTRIES*`RESULT-1:0] \dut.narrow.reorder.result_q ;
+  (* hierconn *) wire [`TAG:0] \dut.narrow.queue.taken_q , \dut.narrow.queue.tail_q ;
+  (* hierconn *) wire [`TAG:0] \dut.narrow.queue.head_q ;
+  (* hierconn *) wire [ENTRIES*`RESULT-1:0] \dut.narrow.queue.result_q ;
   wire enter = \dut.narrow.take ;
   wire [1:0] enters = marks_of(\dut.narrow.in_pair ) & 3'd3;
   wire [`LAST:0] valid = \dut.narrow.valid_q ;
-  wire [`TAG-1:0] tail = \dut.narrow.tail ;
-  wire [`TAG:0] count = \dut.narrow.reorder.count_q ;
-  wire [ENTRIES-1:0] done = \dut.narrow.reorder.done_q ;
+  wire [`TAG:0] head = \dut.narrow.queue.head_q ;
+  wire [`TAG:0] pairs = \dut.narrow.queue.taken_q - head;   // that have entered and not left
+  wire [`TAG:0] verdicts = \dut.narrow.queue.tail_q - head; // of them
+  wire [`TAG-1:0] tail = \dut.narrow.queue.tail_q [`TAG-1:0];
+  wire [ENTRIES*`RESULT-1:0] result = \dut.narrow.queue.result_q ;
 `ifdef SHARED
   (* hierconn *) wire [`II-1:0] \dut.narrow.slot_q ;
   wire [`II-1:0] slot = \dut.narrow.slot_q ;
@@ -148,28 +136,16 @@ module tokens (
 `else
   wire slot = 1'b1, gone = 1'b0;
 `endif
-`ifdef JUDGED
-  (* hierconn *) wire [`LAST:0] \dut.narrow.second_q ;
-  (* hierconn *) wire \dut.narrow.again , \dut.narrow.flat ;
-  wire [`LAST:0] second = \dut.narrow.second_q ;
-  wire again = \dut.narrow.again , flat = \dut.narrow.flat ;
 `ifdef TESTED
-  (* hierconn *) wire [`JUDGED-1:0] \dut.narrow.decided_q ;
-`endif
-`else
-  wire [`LAST:0] second = 0;
-  wire again = 1'b0;
-`endif
-`ifdef TESTED
-  (* hierconn *) wire [ENTRIES-1:0] \dut.narrow.reorder.note_q ;
+  (* hierconn *) wire [`LAST:0] \dut.narrow.note_q ;
   (* hierconn *) wire \dut.aabb_test.valid_q ;
   (* hierconn *) wire [18*W-1:0] \dut.aabb_test.pair_q ;
-  wire [ENTRIES-1:0] note = \dut.narrow.reorder.note_q ;
+  wire [`LAST:0] note = \dut.narrow.note_q ;
   wire tested_valid = \dut.aabb_test.valid_q ;
   wire [2:0] tested = marks_of(\dut.aabb_test.pair_q );
   wire enter_disjoint = tested[2];
 `else
-  wire [ENTRIES-1:0] note = {ENTRIES{1'b0}};
+  wire [`LAST:0] note = {(`LAST+1){1'b0}};
   wire tested_valid = 1'b0, enter_disjoint = 1'b0;
   wire [2:0] tested = 3'd0;
 `endif
@@ -184,64 +160,56 @@ module tokens (
 
 `ifdef FPGA
   (* hierconn *) wire \dut.narrow.written_q ;
-  (* hierconn *) wire [`TAG-1:0] \dut.narrow.tag_written_q ;
   (* hierconn *) wire [1:0] \dut.narrow.core.judged_q ;
   wire written = \dut.narrow.written_q ;
-  wire [`TAG-1:0] tag_written = \dut.narrow.tag_written_q ;
   wire [1:0] mark_written = \dut.narrow.core.judged_q ;
+`ifdef TESTED
+  (* hierconn *) wire \dut.narrow.noted_q ;
+  wire note_written = \dut.narrow.noted_q ;
 `else
-  wire written = 1'b0;
-  wire [`TAG-1:0] tag_written = {`TAG{1'b0}};
+  wire note_written = 1'b0;
+`endif
+`else
+  wire written = 1'b0, note_written = 1'b0;
   wire [1:0] mark_written = 2'd0;
 `endif
 
   reg begun = 1'b0;
   reg [1:0] taken, left, entered;  // the first, the second marked pair; into sepax_narrow
-  reg [2*`TAG-1:0] place;          // their entries
+  reg [2*`TAG+1:0] place;          // the numbers of their entries
+  reg [(`LAST+1)*`TAG-1:0] tag;    // the entry of the pair in each window,
+  reg [`TAG-1:0] tag_written;      // and of the verdict behind the register
   reg [8*ENTRIES-1:0] age;         // of each entry, since its pair entered
-  reg [ENTRIES-1:0] was_flat;      // the pair of the entry, in its first pass
-  reg [7:0] waits, shut;           // cycles that the first has waited since it entered, with
-                                   // out_ready; without in_ready, while nothing is inside
+  reg [7:0] shut;                  // cycles without in_ready, while nothing is inside
   wire [1:0] takes = {take && mark == 2'd2, take && mark == 2'd1};
   wire [1:0] leaves = {leave && out_mark == 2'd2, leave && out_mark == 2'd1};
   wire [1:0] of_enter = enter_disjoint ? one_disjoint : enters;
   wire [1:0] now_enters = {enter && of_enter == 2'd2, enter && of_enter == 2'd1};
   wire [1:0] live = taken & ~left, inside = entered & ~left;
   integer e, k, n;
-  reg [`TAG-1:0] head;
-  always @* begin
-    head = 0;
-    for (n = 0; n < ENTRIES; n = n + 1) begin
-      if (\dut.narrow.reorder.head_q [n]) head = head | n[`TAG-1:0];
-    end
-  end
-  wire [`TAG-1:0] ahead = place[`TAG-1:0] - head; // of the first
-  wire [`TAG-1:0] ahead_2 = place[`TAG +: `TAG] - head;
+  wire [`TAG:0] ahead = place[`TAG:0] - head; // of the first: pairs before it
+  wire [`TAG:0] ahead_2 = place[`TAG+1 +: `TAG+1] - head;
   always @(posedge clk) begin
     begun <= 1'b1;
     taken <= rst ? 2'd0 : taken | takes;
     left <= rst ? 2'd0 : left | leaves;
     entered <= rst ? 2'd0 : entered | now_enters;
     for (n = 0; n < 2; n = n + 1) begin
-      if (now_enters[n]) place[n*`TAG +: `TAG] <= tail;
+      if (now_enters[n]) place[n*(`TAG+1) +: `TAG+1] <= \dut.narrow.queue.taken_q ;
     end
     for (n = 0; n < ENTRIES; n = n + 1) begin
-      if (enter && tail == n[`TAG-1:0]) age[8*n +: 8] <= 8'd1;
+      if (enter && \dut.narrow.queue.taken_q [`TAG-1:0] == n[`TAG-1:0]) age[8*n +: 8] <= 8'd1;
       else if (age[8*n +: 8] != 8'd255) age[8*n +: 8] <= age[8*n +: 8] + 8'd1;
-`ifdef JUDGED
-      if (slot[`II-1] && valid[`JUDGED-1] && !second[`JUDGED-1] &&
-          \dut.narrow.tag_q [(`JUDGED-1)*`TAG +: `TAG] == n[`TAG-1:0]) begin
-        was_flat[n] <= flat && !note[n];
-      end
-`endif
     end
-    waits <= rst || !inside[0] ? 8'd0 : waits + {7'd0, out_ready};
-    shut <= rst || \dut.narrow.in_ready || count != 0 ? 8'd0 : shut + 8'd1;
+    if (slot[`II-1]) tag <= {tag[`LAST*`TAG-1:0], \dut.narrow.queue.taken_q [`TAG-1:0]};
+    tag_written <= tag[`LAST*`TAG +: `TAG];
+    shut <= rst || \dut.narrow.in_ready || pairs != 0 ? 8'd0 : shut + 8'd1;
   end
 
-  reg [`TAG-1:0] at, of;
-  reg [7:0] since, old, windows, number;
+  reg [`TAG-1:0] at, oldest;
+  reg [7:0] old, windows, number;
   reg [1:0] marked;
+  reg noted; // the AABB test has decided the pair
   always @* begin
     assume (begun == !rst);
     assume (mark != 2'd3 && one_disjoint != 2'd3);
@@ -254,11 +222,10 @@ module tokens (
 `endif
     if (begun) begin
       // What a user sees: no verdict from nowhere; each marked one once, in their order.
-      assert (!out_valid || count != 0);
+      assert (!out_valid || pairs != 0);
       assert (!out_valid || out_mark != 2'd3);
       assert (!leaves[0] || live[0]);
       assert (!leaves[1] || (live[1] && left[0]));
-      assert (waits <= BOUND);
       assert (shut <= `II);
       // The marked pairs before sepax_narrow.
 `ifdef SKID
@@ -281,71 +248,59 @@ module tokens (
       assert ((entered & ~taken) == 2'd0);
       if (skid_valid && skid[0]) assert (!taken[1]);
       if (tested_valid && tested[0]) assert (!entered[1]);
-      // Entries: each that is taken is in one window, or done.
-      assert (\dut.narrow.reorder.head_q == {{(ENTRIES-1){1'b0}}, 1'b1} << head);
-      assert (tail == head + count[`TAG-1:0] && count <= ENTRIES);
+      // Pairs in the order of their entries: verdicts first, then the windows, the last first.
+      assert (verdicts <= pairs && pairs <= ENTRIES);
+      assert (out_valid == (verdicts != 0));
 `ifdef SHARED
       assert (slot != 0 && (slot & (slot - 1'b1)) == 0);
-`endif
-`ifdef FPGA
-`ifdef JUDGED
-      if (slot[`II-1]) begin
-        assert (again == (valid[`JUDGED-1] && flat && !second[`JUDGED-1]
-`ifdef TESTED
-                          && !\dut.narrow.decided_q [`JUDGED-1]
-`endif
-                          ));
-      end
-`endif
 `endif
       number = 8'd1;
       for (k = 0; k < `II; k = k + 1) if (slot[k]) number = number + k;
       assert (shut < number);
+      oldest = tail;
+      if (written) begin
+        assert (tag_written == oldest);
+        oldest = oldest + 1'b1;
+      end
+      for (k = `LAST; k >= 0; k = k - 1) begin
+        if (valid[k] && !(k == `LAST && gone != 0)) begin
+          assert (tag[k*`TAG +: `TAG] == oldest);
+          oldest = oldest + 1'b1;
+        end
+      end
       for (e = 0; e < ENTRIES; e = e + 1) begin
-        at = e[`TAG-1:0] - head;
+        at = e[`TAG-1:0] - head[`TAG-1:0];
         old = age[8*e +: 8];
         marked = inside[0] && place[0 +: `TAG] == e[`TAG-1:0] ? 2'd1 :
-                 inside[1] && place[`TAG +: `TAG] == e[`TAG-1:0] ? 2'd2 : 2'd0;
+                 inside[1] && place[`TAG+1 +: `TAG] == e[`TAG-1:0] ? 2'd2 : 2'd0;
+        noted = marked != 2'd0 && marked == one_disjoint;
         windows = 8'd0;
         for (k = 0; k <= `LAST; k = k + 1) begin
-          if (valid[k] && \dut.narrow.tag_q [k*`TAG +: `TAG] == e[`TAG-1:0] &&
-              !(k == `LAST && gone != 0)) begin
+          if (valid[k] && tag[k*`TAG +: `TAG] == e[`TAG-1:0] && !(k == `LAST && gone != 0)) begin
             windows = windows + 8'd1;
-            since = k + (second[k] ? `FIRST_PASS : 0);
-            assert (old == since * `II + number);
-            assert (\dut.narrow.core.mark_q [2*k +: 2] == (note[e] ? 2'd0 : marked));
-`ifdef JUDGED
-            if (k >= `JUDGED || second[k]) assert (second[k] == was_flat[e]);
-`ifdef TESTED
-            if (k < `JUDGED) assert (\dut.narrow.decided_q [k] == note[e]);
-`endif
-`endif
+            assert (old == k * `II + number);
+            assert (note[k] == noted);
+            assert (\dut.narrow.core.mark_q [2*k +: 2] == (noted ? 2'd0 : marked));
           end
         end
         if (written && tag_written == e[`TAG-1:0]) begin
           windows = windows + 8'd1;
-          since = `LAST + (was_flat[e] ? `FIRST_PASS : 0);
-          assert (old == since * `II + `SLOT + 8'd2);
-          assert (mark_written == (note[e] ? 2'd0 : marked));
+          assert (old == LATENCY - 1);
+          assert (note_written == noted);
+          assert (mark_written == (noted ? 2'd0 : marked));
         end
-        assert (windows + {7'd0, done[e]} == {7'd0, {1'b0, at} < count});
-        if ({1'b0, at} < count) begin
-          assert (note[e] == (marked != 2'd0 && marked == one_disjoint));
-          if (inside[0] && at < ahead) assert (old >= age[8*place[0 +: `TAG] +: 8]);
-        end
-        if (done[e]) begin
-          assert (\dut.narrow.reorder.result_q [`RESULT*e +: 2] == (note[e] ? 2'd0 : marked));
-          assert (\dut.narrow.reorder.result_q [`RESULT*e+2 +: 2] == 2'd0);
+        // A pair is in one window, or its verdict is there: from one and the same age on.
+        assert (windows == {7'd0, {1'b0, at} >= verdicts && {1'b0, at} < pairs});
+        if ({1'b0, at} < pairs) assert (({1'b0, at} < verdicts) == (old >= LATENCY));
+        if ({1'b0, at} < verdicts) begin
+          assert (result[`RESULT*e +: 4] == (noted ? 4'd0 : {2'd0, marked}));
+`ifdef TESTED
+          assert (result[`RESULT*e + `RESULT-1] == noted);
+`endif
         end
       end
-      if (inside[0]) assert ({1'b0, ahead} < count);
-      if (inside[1]) assert ({1'b0, ahead_2} < count && (left[0] || ahead < ahead_2));
-      if (inside[0]) begin
-        old = age[8*place[0 +: `TAG] +: 8];
-        assert (waits + ahead <= (old < LONGEST ? old : LONGEST) + ENTRIES - 1);
-      end else begin
-        assert (waits <= BOUND);
-      end
+      if (inside[0]) assert (ahead < pairs);
+      if (inside[1]) assert (ahead_2 < pairs && (left[0] || ahead < ahead_2));
     end
   end
 

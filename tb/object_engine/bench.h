@@ -31,7 +31,7 @@ void overlap(sepax_tri *a, sepax_tri *b, size_t count_a, size_t count_b, bool pa
 /* Objects of `size` and others, in a[], b[], that show one thing each. */
 void objects(sepax_tri *a, sepax_tri *b, size_t size, bool paced);
 
-/* Cycles of a run on an ASIC with one core, all results taken at once and no pair of two passes;
+/* Cycles of a run on an ASIC with one core, all results taken at once;
  * AABBs nearer than the margin overlap. */
 uint64_t cycles_of_run(const sepax_tri *a, size_t count_a, const sepax_tri *b, size_t count_b,
                        const int32_t move[3], int64_t margin);

@@ -373,10 +373,9 @@ void controls(sepax_tri *a, sepax_tri *b, uint64_t blocked, bool paced) {
   start();
   wait_for_end();
   expect("one collision", value_of(SEPAX_COLLISIONS), 1);
-  /* Its way, that of what was taken until then, a latency for the phases of several cores, and two
-   * II for each of four pairs of two passes: the first, two that were fetched, one half done. */
+  /* Its way, that of what was taken until then, and a latency for the phases of several cores. */
   expect("the first ends the run soon",
-         value_of(SEPAX_CYCLES) < 30u + 3u * SEPAX_LATENCY + 8u * SEPAX_II, 1);
+         value_of(SEPAX_CYCLES) < 30u + 3u * SEPAX_LATENCY + 4u * SEPAX_II, 1);
   expect("MODE", bus_write(NULL, SEPAX_MODE, SEPAX_MODE_QUIET), 1);
   for (uint32_t k = 1; k < 32; k++) {
     uint32_t command = SEPAX_COMMAND_START | UINT32_C(1) << k;

@@ -12,7 +12,7 @@ use ieee.std_logic_1164.all;
 package sepax_pkg is
 
   constant sepax_word    : positive := 18; -- bits of a coordinate
-  constant sepax_latency : positive := 12; -- cycles from a pair to its verdict
+  constant sepax_latency : positive := 15; -- cycles from a pair to its verdict
   constant sepax_ii      : positive := 3; -- cycles between two pairs
 
   component sepax_top is

@@ -22,7 +22,7 @@ module sepax_tb;
   localparam W = 18; // bits of a coordinate
   localparam VECTORS = 256;
   localparam PARTS = 1; // transfers of a pair
-  localparam LATENCY = 12; // cycles from a pair to its verdict, both counted
+  localparam LATENCY = 15; // cycles from a pair to its verdict, both counted
   localparam GAP = 3; // cycles from a pair to the next at full speed
   localparam II = 3; // cycles after which the core can take another pair
   localparam IN = 324; // bits of a pair in this file

@@ -259,7 +259,6 @@ static void tally(bench_batch *b, const contacts *c, const sepax_tree_result *go
   b->worst = o->cycles > b->worst ? o->cycles : b->worst;
   b->mismatches += c->wrong > 0;
   b->near += o->near;
-  b->second_passes += golden->run.passes - golden->run.near;
   b->warnings += o->warnings;
   if ((o->status & SEPAX_TREE_HIT) != 0 && b->hits++ == 0) {
     b->first_hit[0] = o->job;

@@ -51,11 +51,10 @@ typedef struct {
   int stop_at; /* pose from the beginning at which STOP is written; -1: never */
   uint64_t cycles, worst, poses, mismatches, near, hits, out_of_range, stopped, warnings; /* out */
   uint64_t damaged, bus, refused;
-  uint32_t status;        /* out: every bit of a pose's status that was set */
-  uint64_t predicted;     /* out: cycles by the golden model, all caches cold */
-  double off;             /* out: its largest relative error in a pose */
-  uint64_t second_passes; /* out: of near pairs through a core, by the golden model */
-  uint32_t first_hit[2];  /* job and pose of the first pose that collides, where hits > 0 */
+  uint32_t status;       /* out: every bit of a pose's status that was set */
+  uint64_t predicted;    /* out: cycles by the golden model, all caches cold */
+  double off;            /* out: its largest relative error in a pose */
+  uint32_t first_hit[2]; /* job and pose of the first pose that collides, where hits > 0 */
 } bench_batch;
 void bench_run(bench_batch *batch);
 

@@ -94,11 +94,10 @@ void bench_meshes(const char *const path[3], double resolution, unsigned modes, 
   bench_run(&batch);
   const memory *m = bus_attached();
   printf("%llu cycles in all, %llu bytes read, %llu near pairs, %llu poses collide, %llu out of "
-         "range, %llu second passes\n",
+         "range\n",
          (unsigned long long)(bus_cycles() - begin),
          (unsigned long long)(MEMORY_BEAT * m->counts.beats), (unsigned long long)batch.near,
-         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range,
-         (unsigned long long)batch.second_passes);
+         (unsigned long long)batch.hits, (unsigned long long)batch.out_of_range);
   bool usual = options->latency == SEPAX_TREE_LATENCY && options->stress == 0;
   if (modes == SEPAX_TREE_COLD && budget == 0 && usual) {
     printf("predicted: mean %.0f cycles, a pose by up to %+.1f %% off\n",

@@ -23,12 +23,12 @@ CASE(mapped_designs) {
     const char *options;
     int latency, flip_flops;
     double gates;
-  } row[] = {{"--word=12 --ii=1 --clock-ns=2", 7, 2546, 79000},
-             {"--word=18 --ii=1 --clock-ns=2", 7, 3674, 142665},
-             {"--word=18 --ii=3 --clock-ns=2", 12, 2930, 65849},
-             {"--word=12 --ii=1 --clock-ns=20", 3, 254, 61100},
-             {"--word=18 --ii=1 --clock-ns=20", 3, 362, 114600},
-             {"--word=18 --ii=3 --clock-ns=10", 8, 2082, 57900}};
+  } row[] = {{"--word=12 --ii=1 --clock-ns=2", 9, 2829, 83800},
+             {"--word=18 --ii=1 --clock-ns=2", 9, 4089, 150500},
+             {"--word=18 --ii=3 --clock-ns=2", 15, 3294, 73500},
+             {"--word=12 --ii=1 --clock-ns=20", 4, 463, 65400},
+             {"--word=18 --ii=1 --clock-ns=20", 4, 679, 121900},
+             {"--word=18 --ii=3 --clock-ns=10", 10, 2297, 63700}};
   for (size_t i = 0; i < LENGTH(row); i++) {
     sepax_design design;
     sepax_estimate e = estimate_of(row[i].options, &design);

@@ -223,7 +223,6 @@ CASE(test_no_unit) {
     assert_int_equal(size.workloads, first.workloads);
     for (size_t k = 0; k < size.workloads; k++) {
       assert_true(size.workload[k].candidates == first.workload[k].candidates);
-      assert_true(size.workload[k].twice == first.workload[k].twice);
     }
     sepax_size_free(&first);
     sepax_size_free(&size);

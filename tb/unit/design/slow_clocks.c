@@ -102,11 +102,11 @@ static void expect(const char *options, int latency, int flip_flops) {
 
 /* The flip-flops are those that Yosys counts in these designs (make area). */
 CASE(counts_of_known_designs) {
-  expect("--word=12 --ii=1 --clock-ns=2", 7, 2546);
-  expect("--word=18 --ii=1 --clock-ns=2", 7, 3674);
-  expect("--word=12 --ii=1 --clock-ns=20", 3, 254);
-  expect("--word=12 --ii=1 --clock-ns=100", 3, 254);
-  expect("--word=18 --ii=1 --clock-ns=20", 3, 362);
+  expect("--word=12 --ii=1 --clock-ns=2", 9, 2829);
+  expect("--word=18 --ii=1 --clock-ns=2", 9, 4089);
+  expect("--word=12 --ii=1 --clock-ns=20", 4, 463);
+  expect("--word=12 --ii=1 --clock-ns=100", 4, 463);
+  expect("--word=18 --ii=1 --clock-ns=20", 4, 679);
 }
 
 /* Adders that are chains of full adders: at clocks that have time for them, and fewer gates. */

@@ -12,11 +12,11 @@
 
 /* Passes that triangle i of A and j of B make through a core, 0 where their AABBs are disjoint. */
 typedef struct {
-  const unsigned char *passes; /* [i * count_b + j] */
+  const bool *candidate; /* [i * count_b + j] */
   size_t count_a, count_b;
 } ticks_workload;
 
-/* The passes found in each step, in steps[], of which there is space for ticks_steps(). */
+/* The candidates found in each step, in steps[], of which there is space for ticks_steps(). */
 static inline size_t ticks_steps(const ticks_workload *workload, size_t lanes) {
   size_t round = workload->count_b > lanes ? workload->count_b : lanes;
   return ((workload->count_a + lanes - 1) / lanes + 1) * round;
@@ -42,7 +42,7 @@ static inline size_t ticks_walk(const ticks_workload *workload, size_t lanes, un
     for (size_t k = 0; k < lanes; k++) {
       used = used || held[k] < workload->count_a;
       if (held[k] < workload->count_a && j < workload->count_b) {
-        steps[count] += workload->passes[held[k] * workload->count_b + j];
+        steps[count] += workload->candidate[held[k] * workload->count_b + j];
       }
     }
     count++;

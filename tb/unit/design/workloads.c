@@ -25,58 +25,16 @@ enum { MOST_OPTIONS = 2 * 7 * (1 + SEPAX_LANES_MAX * SEPAX_CORES_MAX), MOST_POSE
 typedef struct {
   sepax_size size;
   sepax_tri tri[MOST_POSES][2][MOST_TRIANGLES];
-  unsigned char passes[MOST_POSES][MOST_TRIANGLES * MOST_TRIANGLES];
-  unsigned long long twice[MOST_POSES][2]; /* of all pairs, of those whose AABBs overlap */
+  bool candidate[MOST_POSES][MOST_TRIANGLES * MOST_TRIANGLES];
   option all[MOST_OPTIONS];
   size_t options, poses;
 } designs;
 
-/* All six vertices are on one line as seen along an axis. */
-static bool flat_along(int axis, const sepax_pair *pair) {
-  bool flat = true;
-  for (int n = 0; n < 216; n++) {
-    sepax_vec v[3];
-    for (int k = 0; k < 3; k++) {
-      int i = k == 0 ? n % 6 : k == 1 ? n / 6 % 6 : n / 36;
-      v[k] = i < 3 ? pair->a.v[i] : pair->b.v[i - 3];
-      *coordinate(&v[k], axis) = 0;
-    }
-    flat = flat && cross(between(v[0], v[1]), between(v[0], v[2])).c[axis] == 0;
-  }
-  return flat;
-}
-
-/* z where sides are alike, then x. */
-static int thinnest_side(const sepax_tri *t) {
-  int thinnest = 2;
-  int64_t least = INT64_MAX;
-  for (int n = 0; n < 3; n++) {
-    int axis = (n + 2) % 3;
-    int64_t side = 0;
-    for (int k = 0; k < 9; k++) {
-      sepax_vec p = t->v[k % 3];
-      sepax_vec q = t->v[k / 3];
-      int64_t length = (int64_t)*coordinate(&p, axis) - *coordinate(&q, axis);
-      side = length > side ? length : side;
-    }
-    thinnest = side < least ? axis : thinnest;
-    least = side < least ? side : least;
-  }
-  return thinnest;
-}
-
-static void find_passes(designs *d, size_t pose) {
+static void find_candidates(designs *d, size_t pose) {
   size_t count_b = d->size.count[1];
-  d->twice[pose][0] = 0;
-  d->twice[pose][1] = 0;
   for (size_t n = 0; n < d->size.count[0] * count_b; n++) {
     sepax_pair pair = {.a = d->tri[pose][0][n / count_b], .b = d->tri[pose][1][n % count_b]};
-    bool overlap = aabbs_overlap(&pair, 32);
-    bool flat = flat_along(2, &pair);
-    bool flat_along_thinnest = flat_along(thinnest_side(&pair.a), &pair);
-    d->passes[pose][n] = (unsigned char)(!overlap ? 0 : flat_along_thinnest ? 2 : 1);
-    d->twice[pose][0] += flat;
-    d->twice[pose][1] += flat && overlap;
+    d->candidate[pose][n] = aabbs_overlap(&pair, 32);
   }
 }
 
@@ -90,7 +48,7 @@ static void add_options(designs *d, int lanes, unsigned *steps) {
     int ii = intervals[n / SEPAX_CORES_MAX];
     unsigned long long cycles = 0;
     for (size_t pose = 0; pose < d->poses && lanes > 0; pose++) {
-      ticks_workload workload = {d->passes[pose], size->count[0], size->count[1]};
+      ticks_workload workload = {d->candidate[pose], size->count[0], size->count[1]};
       size_t count = ticks_walk(&workload, (size_t)lanes, steps);
       cycles = most(cycles, ticks(steps, count, (unsigned)ii, (size_t)cores));
     }
@@ -102,7 +60,7 @@ static void add_options(designs *d, int lanes, unsigned *steps) {
                     extents != 0 ? (int)size->extent[1] : 0, lanes, cores);
       double unread;
       for (size_t pose = 0; pose < d->poses && lanes == 0; pose++) {
-        unsigned long long pairs = size->count[0] * size->count[1] + d->twice[pose][extents];
+        unsigned long long pairs = size->count[0] * size->count[1];
         cycles = pose == 0 ? 0 : cycles;
         cycles = most(cycles, pairs * (unsigned)ii);
       }
@@ -140,7 +98,7 @@ static void draw_scene(designs *d, int n, int count) {
   sepax_size_free(&d->size);
   assert_works(sepax_size_scene(&d->size, &mesh[0], &mesh[1], &space, &fault));
   for (size_t pose = 0; pose < d->poses; pose++) {
-    find_passes(d, pose);
+    find_candidates(d, pose);
   }
 }
 
@@ -159,12 +117,13 @@ static void draw_designs(designs *d, int n) {
 static unsigned long long ticks_of_part(const designs *d, size_t i, size_t j,
                                         const size_t memory[2], const sepax_config *config,
                                         unsigned *steps) {
-  static unsigned char passes[MOST_TRIANGLES * MOST_TRIANGLES];
+  static bool candidate[MOST_TRIANGLES * MOST_TRIANGLES];
   const size_t *count = d->size.count;
-  ticks_workload workload = {passes, count[0] - i < memory[0] ? count[0] - i : memory[0],
+  ticks_workload workload = {candidate, count[0] - i < memory[0] ? count[0] - i : memory[0],
                              count[1] - j < memory[1] ? count[1] - j : memory[1]};
   for (size_t n = 0; n < workload.count_a * workload.count_b; n++) {
-    passes[n] = d->passes[0][(i + n / workload.count_b) * count[1] + j + n % workload.count_b];
+    candidate[n] =
+        d->candidate[0][(i + n / workload.count_b) * count[1] + j + n % workload.count_b];
   }
   size_t end = ticks_walk(&workload, (size_t)config->lanes, steps);
   return ticks(steps, end, (unsigned)config->ii, (size_t)config->cores);
@@ -259,7 +218,7 @@ CASE(test_parts) {
                                      size->count[1], still, &run, &fault));
     assert_int_equal(sepax__workload_cycles(&size->workload[0], size->count, &config, space),
                      run.cycles);
-    assert_int_equal(size->workload[0].passes, run.passes);
+    assert_int_equal(size->workload[0].candidates, run.candidates);
     sepax_pairs_free(&run.found);
     config.memory_a = 1 + random_below(MOST_TRIANGLES);
     config.memory_b = 1 + random_below(MOST_TRIANGLES);
@@ -272,7 +231,7 @@ CASE(test_parts) {
     }
     assert_int_equal(sepax__workload_cycles(&size->workload[0], size->count, &config, space),
                      cycles);
-    assert_true(sepax__workload_least_cycles(size->workload[0].passes, size->count, &config) <=
+    assert_true(sepax__workload_least_cycles(size->workload[0].candidates, size->count, &config) <=
                 cycles);
   }
   sepax_size_free(&d.size);
@@ -294,10 +253,6 @@ CASE(test_workloads) {
   assert_int_equal(m.config.ii, 3);
   assert_int_equal(m.cycles, 480000);
   assert_int_equal(m.config.extent_a, 0);
-  workload.twice = 1;
-  assert_fault(sized(&m, &size, 160000 * 2e-9, 0, 0), "takes 0.32 ms");
-  assert_works(sized(&m, &size, 0.96e-3, 0, 0));
-  assert_int_equal(m.config.ii, 2);
   size.count[0] = 40000;
   size.count[1] = 70000;
   assert_works(sized(&m, &size, 1, 10, 10));
