@@ -214,14 +214,16 @@ typedef struct {
                              units of SEPAX_F_NORMAL_PROJECTION */
   int latency;            /* cycles from the first input word to the verdict; for exact 0, because
                              only the generator's schedule decides it */
-  bool ripple;            /* for exact set by the generator: the clock has time for adders that are
-                             chains of full adders */
-  int limits;             /* number of clearances: 0, 1 (clearance) or 2 (and warning) */
-  int64_t margin[2];      /* gaps of AABBs in LSB, 0 without clearances. If the gap is above
-                             margin[0] = 1 + clearance, then the pair is not in band COLLISION. If
-                             it is above margin[1] = 1 + the larger clearance, then the pair is in
-                             band FREE. A tree engine adds to both:
-                             docs/reference/tree-engine.md */
+  int wait; /* for exact set by the generator: cycles for which a stage before the core may keep a
+               pair until the II window ends; 0: every pair has the latency */
+  bool ripple;       /* for exact set by the generator: the clock has time for adders that are
+                        chains of full adders */
+  int limits;        /* number of clearances: 0, 1 (clearance) or 2 (and warning) */
+  int64_t margin[2]; /* gaps of AABBs in LSB, 0 without clearances. If the gap is above
+                        margin[0] = 1 + clearance, then the pair is not in band COLLISION. If
+                        it is above margin[1] = 1 + the larger clearance, then the pair is in
+                        band FREE. A tree engine adds to both:
+                        docs/reference/tree-engine.md */
 } sepax_design;
 
 /* Check a configuration and derive all other fields of *design. Error: ARGUMENT as for

@@ -68,7 +68,7 @@ async def families_stalled(dut):
 
 @test
 async def in_a_plane(dut):
-    """Coplanar and degenerate pairs, which take a second pass, among others."""
+    """Coplanar and degenerate pairs among others."""
     stream = await ready(dut, stall=2)
     pairs = [pair for few in zip(*(golden.hard_pairs(family, WORD, 12, 3) for family in (
         "coplanar", "local", "degenerate", "parallel"))) for pair in few]

@@ -22,7 +22,10 @@
 // 12 @axis_12@@axis_aabb@; 0 none.
 // e_i is the edge of A from vertex i + 1 to the next one, f_j that of B from j + 1; i, j = 0, 1, 2.
 // Latency @latency@ from the cycle in which a pair is taken to that of its verdict, both
-// counted@when_empty@. Outputs are 0 without out_valid.
+// counted, for every pair, unless an earlier verdict waits for out_ready. //@ !wait
+// counted, unless an earlier verdict waits for out_ready. A pair that is taken before the //@ wait
+// core can begin with it has up to @wait@ cycles more. //@ wait
+// Outputs are 0 without out_valid.
 module sepax_top (
   input  wire            clk,      // clock
   input  wire            rst,      // synchronous reset of the control, active high

@@ -97,7 +97,9 @@ static void set_control(emit_holes *h, const exact_plan *p) {
 static void generate(emitter *e, exact_plan *plan) {
   const sepax_config *c = &e->design->config;
   emit_holes h = {0};
+  bool skid = engine_registers_ready(c);
   e->design->latency = exact_latency(plan);
+  e->design->wait = (c->ii - 1) * (aabb_latency(e->design) + skid);
   e->design->ripple = plan->ripple;
   gen_exact_units(e, plan, &h);
   set_words(&h, plan);
@@ -108,8 +110,7 @@ static void generate(emitter *e, exact_plan *plan) {
   emit_template(e, "sepax_narrow", h.hole);
   gen_aabb_test(e, &h);
   emit_hole_set(&h, "latency", "%d cycles", e->design->latency);
-  emit_hole_set(&h, "when_empty", c->ii > 1 ? ", when the core was empty" : "");
-  bool skid = engine_registers_ready(c);
+  emit_hole_numbers(&h, (emit_number[]){{"wait", e->design->wait}, {NULL, 0}});
   if (skid) {
     emit_template(e, "sepax_skid", NULL);
   }

@@ -85,7 +85,8 @@ void describe_json(const emitter *e, emit_text *out) {
                           sepax_config_text(&d->config, text, sizeof text));
   describe_settings(all, &d->config, &failed);
   json_t *rest = json_pack(
-      "{si, si, so*, so*, so*, so*, so, so, so}", "latency", d->latency, "input_words",
+      "{si, so*, si, so*, so*, so*, so*, so, so, so}", "latency", d->latency, "latency_wait",
+      optional_number(exact, d->wait, &failed), "input_words",
       transfers > 0 ? transfers
       : exact       ? 1
                     : 3,

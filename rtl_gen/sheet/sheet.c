@@ -91,14 +91,13 @@ static void put_speed(const emitter *e, page *p) {
     return;
   }
   const gen_line later = gen_format(
-      " A pair that the skid buffer before the core takes early has up to %d more.", c->ii - 1);
+      " A pair that is taken before the core can begin with it has up to %d cycles more.", d->wait);
   page_text(
       p,
       "The latency%s is %d cycles, from the cycle that takes a pair to the cycle of its verdict, "
       "both counted. It is the same for every pair, unless earlier verdicts still wait for the "
       "receiver.%s %s takes a pair every %s.",
-      words_has_engine(d) ? " of a core" : "", d->latency,
-      engine_registers_ready(c) && c->ii > 1 ? later.text : "",
+      words_has_engine(d) ? " of a core" : "", d->latency, d->wait > 0 ? later.text : "",
       words_has_engine(d) ? "A core" : "The block",
       cycles > 1 ? gen_format("%d cycles", cycles).text : "cycle");
 }

@@ -289,12 +289,15 @@ private:
     if (now != want) {
       complain(&e, "expected " + text(want) + "; got " + text(now));
     }
-    // Never earlier; not later where nothing was in the way. Where nothing stands before the core,
-    // only the verdict before can be in the way.
+    // Never earlier; not later where nothing was in the way. The verdict before can be, and of a
+    // pair in a stage before the core an II window, or while verdicts are blocked a full queue.
     if (e.travel.whole()) {
       const uint64_t due = e.cycle + SEPAX_LATENCY - 1;
       const bool alone = !HANDSHAKE || (e.alone && blocked < e.cycle);
-      const uint64_t latest = CONSTANT ? std::max(due, left + 1) : alone ? due : since;
+      const uint64_t latest = CONSTANT      ? std::max(due, left + 1)
+                              : alone       ? due
+                              : stress.on() ? since
+                                            : due + WAIT;
       latencies += latest == due;
       if (since < due || since > latest) {
         complain(&e, "verdict in cycle " + std::to_string(since - e.cycle + 1) +

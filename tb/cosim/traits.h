@@ -48,8 +48,10 @@ constexpr uint64_t SKID = 1;
 constexpr uint64_t SKID = 0;
 #endif
 constexpr int LEAVES = 1 + (int)SKID; // cycles from a verdict that leaves to a pair
-// A pair that is taken enters the core at once: every pair has the same latency.
+// A pair that is taken enters the core at once: every pair has the same latency. Else the cycles
+// for which it may wait before the core while no verdict is blocked.
 constexpr bool CONSTANT = BOXES + SKID == 0;
+constexpr uint64_t WAIT = (SEPAX_II - 1) * (BOXES + SKID);
 // Cycles of waiting, out_ready high, with no transfer on either side.
 constexpr uint64_t PATIENCE = 2000 + 64 * (SEPAX_LATENCY + SEPAX_II);
 
