@@ -97,9 +97,8 @@ static const double energy_error[ESTIMATE_PAIRS] = {0.5, 0.55, 0.75};
 /* The same of a separated pair that an AABB test keeps from the core: of a flip-flop. */
 static const double tested_energy = 0.016, tested_error = 0.5;
 
-/* Leakage, pJ a ns of a GE; passes of a pair whose triangles are in one plane, of which a quarter
- * takes two; GE of a flip-flop. */
-static const double leakage = 1.59e-5, passes = 1.25, flip_flop_gates = 6.5;
+/* Leakage, pJ a ns of a GE; GE of a flip-flop. */
+static const double leakage = 1.59e-5, flip_flop_gates = 6.5;
 
 _Static_assert((int)TERMS <= (int)ESTIMATE_TERMS, "sepax_estimate holds all terms");
 
@@ -221,7 +220,6 @@ static void weigh_energy(sepax_estimate *e, const sepax_config *c) {
     for (int i = 0; i < ENERGY_TERMS && !tested; i++) {
       cycle += energy_per_term[pair][i] * term[i];
     }
-    cycle *= pair == ESTIMATE_COPLANAR && !c->flag ? passes : 1;
     e->energy[pair] = c->ii * (cycle + leakage * e->gates * ns) / 1000;
     e->energy_error[pair] = (tested ? tested_error : energy_error[pair]) * e->energy[pair];
   }

@@ -65,8 +65,7 @@ file == 1 {
   scene[key] = $1; triangles[key] = $2; ii[key] = $3; latency[key] = $4; caches[key] = $5
   poses[key] = $6; free[key] = $7; free_mean[key] = $8; free_p99[key] = $9
   hits[key] = $10; hit_mean[key] = $11; hit_worst[key] = $12; near[key] = $13
-  all[key] = $14; second[key] = $15; stopped[key] = $16
-  seconds += $15
+  all[key] = $14; stopped[key] = $15
   if ($1 == "gouge" && $3 == 3 && $4 == 100 && $5 == "cold") { size[++sizes] = $2 }
   if (key == cold($1, $2) && $7 > 0) {
     if ($8 > most_mean) { most_mean = $8; mean_of = $1 " " grouped($2) }
@@ -119,7 +118,6 @@ END {
   one("mould as in its files, II = 3", cold("file", 4090), 110000)
   one("the same, II = 1", "file,4090,1,100,cold", 45000)
   one("the same, II = 3, latency of 200 cycles", "file,4090,3,200,cold", 120000)
-  if (rows) { bar("second passes, all runs", grouped(seconds), seconds, 0) }
   worst("gouge, 400 triangles", cold("gouge", 400), 1500)
   if (most_mean) {
     what = "free poses, mean of the worst scene (" mean_of ")"
