@@ -550,9 +550,9 @@ typedef struct {
                         a vertex on one line, at most one more runs to it than from it, or from it
                         than to it */
   size_t facet;      /* if `closed` or `consistent` is false: a triangle, not without area, with an
-                        edge that breaks the rule of that field */
-  double edge[2][3]; /* the ends of that edge. If both fields are false, then the edge breaks the
-                        rule of `closed` */
+                        edge at one of whose ends the rule of that field is broken */
+  double edge[2][3]; /* the ends of that edge. If both fields are false, then the broken rule is
+                        that of `closed` */
   size_t parts;
   size_t pieces;           /* parts that touch or overlap each other form one piece */
   struct sepax_parts *own; /* private */
@@ -580,19 +580,20 @@ typedef enum { SEPAX_INSIDE_UNKNOWN, SEPAX_OUTSIDE, SEPAX_INSIDE } sepax_inside;
  * triangle outwards if it leaves on the triangle's outer side, and inwards otherwise.
  *   1. If a ray from a point crosses each sheet as often outwards as inwards, then the point is
  *      outside. No closed surface that any of the triangles form encloses the point.
- *   2. Otherwise the crossings of the other parts are summed. If each of these parts is consistent,
- *      then the point is inside if more crossings are outwards than inwards, or if that is so in
- *      none of the parts (a body inside out). If a part is not consistent, then the point is inside
- *      if the number of all crossings is odd.
+ *   2. Otherwise the crossings are summed. Open parts do not count, and no parts of which each
+ *      sheet is crossed as often outwards as inwards. If each part that counts is consistent, then
+ *      the point is inside if more crossings are outwards than inwards, or if in each of these
+ *      parts more are inwards (a body inside out). If one of them is not consistent, then the point
+ *      is inside if the number of crossings is odd.
  *   3. If as many crossings are outwards as inwards, then the point is outside if it is in a
  *      cavity: the parts round the point do not touch each other, and from the outermost part on
  *      they are wound outwards and inwards by turns. If sheets of an open part do not cancel, then
  *      this rule says nothing.
  *   4. Otherwise the point is SEPAX_INSIDE_UNKNOWN, if none of six rays tells more.
- * So the solids of one body are united, also if one lies in another one. A cavity must be wound
- * inwards. The rules do not decide inside a surface that has both sides of each face, and where
- * solids overlap of which one is inside out. docs/reference/solids.md has the proof, and says which
- * triangles are neighbours where edges overlap.
+ * So the solids of one body are united, even if one solid lies in another one. A cavity must be
+ * wound inwards. The rules leave a point undecided in a surface that has both sides of each face,
+ * and where a solid overlaps another solid that is inside out. docs/reference/solids.md has the
+ * proof, and says which triangles are neighbours where edges overlap.
  *
  * Cost: a few microseconds for each part that lies within the AABB of the other body. Errors:
  * ARGUMENT if a pose is not valid. */

@@ -3,18 +3,9 @@
 
 #include <stdlib.h>
 
-static int64_t common(int64_t a, int64_t b) {
-  while (b != 0) {
-    int64_t rest = a % b;
-    a = b;
-    b = rest;
-  }
-  return a < 0 ? -a : a;
-}
-
 static edge edge_of(point from, point to, size_t of) {
   point d = minus(to, from);
-  int64_t factor = common(common(d.x[0], d.x[1]), d.x[2]);
+  int64_t factor = common_factor(common_factor(d.x[0], d.x[1]), d.x[2]);
   const point none = {{0, 0, 0}};
   int way = compare(d, none);
   for (int i = 0; i < 3; i++) {

@@ -115,7 +115,7 @@ void turn(triangle *t) {
   t->v[2] = kept;
 }
 
-static int64_t common(int64_t a, int64_t b) {
+int64_t common_factor(int64_t a, int64_t b) {
   while (b != 0) {
     int64_t rest = a % b;
     a = b;
@@ -131,7 +131,7 @@ bool divide(soup *s, size_t i, generator *g) {
   point b = t.v[(e + 1) % 3];
   point c = t.v[(e + 2) % 3];
   point d = minus(b, a);
-  int64_t steps = common(common(d.x[0], d.x[1]), d.x[2]);
+  int64_t steps = common_factor(common_factor(d.x[0], d.x[1]), d.x[2]);
   if (steps < 2 || full(s)) {
     return false;
   }

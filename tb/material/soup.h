@@ -53,4 +53,7 @@ void cancel(soup *s, bool in_any_direction);
 void remove_triangle(soup *s, size_t i);
 void shuffle(soup *s, generator *g);
 
+/* The greatest common divisor; not negative. */
+int64_t common_factor(int64_t a, int64_t b);
+
 #endif
